@@ -1,0 +1,45 @@
+/// A parameter, declared once: read by the TOML loader, the command's help, the file's attributes and the docs.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace supple {
+
+/// Interval of allowed values; an end is excluded where `open_*` is set.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open_low = false, open_high = false;
+
+  bool contains(double x) const {
+    return std::isfinite(x) && (open_low ? x > low : x >= low) && (open_high ? x < high : x <= high);
+  }
+};
+inline constexpr Range any_value{};
+inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};
+inline constexpr Range not_negative{0};
+inline constexpr Range at_least_one{1};
+inline constexpr Range fraction{0, 1};
+
+/// One parameter of the struct P: its key, where it lives, its unit ("" for none), its meaning in one line.
+/// A member of type double reads integers too; choices lists the valid values of a string ("" in it: any).
+template <class P>
+struct Field {
+  using Member = std::variant<double P::*, int P::*, std::int64_t P::*, bool P::*, std::string P::*>;
+  std::string_view name;
+  Member member;
+  std::string_view unit;
+  std::string_view meaning;
+  Range range = any_value;
+  std::vector<std::string_view> choices = {};
+};
+
+template <class P>
+using Fields = std::vector<Field<P>>;
+
+}  // namespace supple

@@ -1,0 +1,48 @@
+/// Parallel loops over fixed chunks. Chunks do not depend on the number of threads, and sums add chunk after
+/// chunk, so every result is the same, bit for bit, for any number of threads.
+#pragma once
+#include <omp.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace supple {
+
+/// Number of threads for the loops below; 1 (the default) runs them in place.
+inline int& thread_count() {
+  static int count = 1;
+  return count;
+}
+
+inline constexpr std::int64_t chunk_size = 256;
+inline std::int64_t chunk_count(std::int64_t n) { return (n + chunk_size - 1) / chunk_size; }
+
+/// body(chunk, begin, end) for each chunk of [0, n).
+template <class Body>
+void for_chunks(std::int64_t n, Body&& body) {
+  const std::int64_t chunks = chunk_count(n);
+  const auto run = [&](std::int64_t c) {
+    const std::int64_t end = (c + 1) * chunk_size;
+    body(c, c * chunk_size, end < n ? end : n);
+  };
+  if (thread_count() == 1 || chunks < 2 * thread_count()) {
+    for (std::int64_t c = 0; c < chunks; ++c) run(c);
+    return;
+  }
+#pragma omp parallel for schedule(static) num_threads(thread_count())
+  for (std::int64_t c = 0; c < chunks; ++c) run(c);
+}
+
+/// Sum over chunks of body(begin, end), added in the order of the chunks. Sum must have +=.
+template <class Sum, class Body>
+Sum sum_chunks(std::int64_t n, Body&& body) {
+  std::vector<Sum> parts(static_cast<std::size_t>(chunk_count(n)));
+  for_chunks(n, [&](std::int64_t c, std::int64_t begin, std::int64_t end) {
+    parts[static_cast<std::size_t>(c)] = body(begin, end);
+  });
+  Sum total{};
+  for (const Sum& part : parts) total += part;
+  return total;
+}
+
+}  // namespace supple

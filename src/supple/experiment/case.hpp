@@ -1,0 +1,127 @@
+/// A case: every parameter of a run, with its default. Names are the keys of the TOML file. Values in SI.
+#pragma once
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "supple/core/field.hpp"
+
+namespace supple {
+
+struct General {
+  std::string experiment = "oscillatory_shear";
+  std::string physics = "documented";
+  std::int64_t seed = 1;
+  int threads = 1;
+};
+
+struct Material {
+  double young_modulus = 8000, density = 1000, friction = 0.01;
+  double relative_viscosity = 0.1, relative_transversal_link_strength = 1;
+  std::string elastic_law = "divergent", tensile_law = "linear";
+  std::string elastic_expression;
+  double central_repulsion_coefficient = 1;
+  double plateau_begin = 0.3, plateau_end = 0.8, plateau_slope = 0.1;
+  double tensile_range = 0.2;
+  double interface_reenforcement_central = 1, interface_reenforcement_tangential = 1;
+  bool keep_viscosity_coefficients_constant = false;
+  std::string slip = "clamp", lever_arm = "distance";
+};
+
+struct Particles {
+  int discs = 150;
+  double packing_fraction = 1.5, bimodal_factor = 1.4;
+  bool permanent_links = true;
+  std::string cut = "voronoi";
+  int cut_lines = 5;
+  double edge_fuzziness = 0, avoid_horizontal_angle_degree = 15;
+  bool avoid_height_spanning_particles = true, cut_top_bottom = false;
+  int max_cut_tries = 1000;
+  double remove_link_fraction = 0;
+};
+
+struct Cell {
+  double width = 500e-6, height = 500e-6;
+  std::string boundary = "lees_edwards", plates = "capture";
+};
+
+struct Shear {
+  double amplitude = 0.2, relative_frequency = 0.025;
+  double periods = 3, pre_periods = 2, post_periods = 1;
+  double cool_factor = 0.5;
+  std::string rate = "0";
+};
+
+struct Stepping {
+  double time_step = 0;   ///< 0: chosen from the stability and accuracy criterion
+  double step_factor = 1; ///< multiplies the chosen step
+  std::int64_t steps = 0; ///< `dynamics` only
+};
+
+struct Preparation {
+  double stress_tolerance = 0.1;
+  int max_relaxation_periods = 20;
+};
+
+struct Initial {
+  std::string state;  ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
+};
+
+struct Output {
+  std::string file;           ///< empty: <case name>.h5 beside the current folder
+  bool tensors = true;        ///< every tensor at every step
+  int frames = 0;             ///< evenly spaced frames over the protocol; dynamics: 0 means every step
+  int images = 0;             ///< evenly spaced images over the protocol
+  std::string image_format = "png";
+  bool text = false;          ///< also write the published text format
+};
+
+/// A whole case. `given` names the keys ("section.key") that the user set; the others hold defaults and give way
+/// to what a state file says. `origin` is the file the case came from, for errors and relative paths.
+struct Case {
+  General general;
+  Material material;
+  Particles particles;
+  Cell box;
+  Shear shear;
+  Stepping time;
+  Preparation preparation;
+  Initial initial;
+  Output output;
+  std::set<std::string> given;
+  std::string origin;
+
+  bool is_given(const std::string& key) const { return given.count(key) > 0; }
+};
+
+template <class P>
+const Fields<P>& fields();
+template <> const Fields<General>& fields();
+template <> const Fields<Material>& fields();
+template <> const Fields<Particles>& fields();
+template <> const Fields<Cell>& fields();
+template <> const Fields<Shear>& fields();
+template <> const Fields<Stepping>& fields();
+template <> const Fields<Preparation>& fields();
+template <> const Fields<Initial>& fields();
+template <> const Fields<Output>& fields();
+
+/// visit(section, struct) for each section in the order of the file; `general` holds the keys above any section.
+template <class AnyCase, class Visit>
+void for_each_section(AnyCase& c, Visit&& visit) {
+  visit("", c.general);
+  visit("material", c.material);
+  visit("particles", c.particles);
+  visit("box", c.box);
+  visit("shear", c.shear);
+  visit("time", c.time);
+  visit("preparation", c.preparation);
+  visit("initial", c.initial);
+  visit("output", c.output);
+}
+
+/// Checks that need several keys at once (packing that cannot be reached, law that diverges, ...). Throws input
+/// errors; ranges of single keys are checked where the case is read.
+void check(const Case& c);
+
+}  // namespace supple

@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/recorder.hpp"
+
+namespace supple {
+
+std::vector<double> MemoryRecorder::Table::column(const std::string& name) const {
+  const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+  if (at == columns.end()) throw input_error("no column '" + name + "'");
+  std::vector<double> out;
+  for (const auto& row : rows) out.push_back(row[static_cast<std::size_t>(at - columns.begin())]);
+  return out;
+}
+
+double MemoryRecorder::get(const std::string& group, const std::string& name) const {
+  if (const auto at = values.find(group); at != values.end())
+    for (const Value& v : at->second)
+      if (v.name.name == name) return v.value;
+  throw input_error("no value '" + name + "' in '" + group + "'");
+}
+
+}  // namespace supple

@@ -1,0 +1,99 @@
+/// What an experiment tells the outside world. io/ writes files and progress; tests keep it in memory.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+#include "supple/model/units.hpp"
+
+namespace supple {
+
+/// A column of a table against time, or a named number.
+struct Column {
+  std::string name, unit, meaning;
+};
+
+/// A contact as files and pictures show it: i < j; elongation_back is the package's second elongation (j's own).
+struct ContactRow {
+  std::int32_t first, second;
+  ContactState state;
+  double elongation, elongation_back;
+  double normal_force, tangential_force;
+};
+
+/// The whole system at one instant, for trajectories and pictures. Values in the run's units.
+struct Frame {
+  std::int64_t step = 0;
+  double time = 0, strain = 0, strain_rate = 0;
+  std::vector<Vec2> position, velocity, force;
+  std::vector<double> angle, spin, torque;
+  std::vector<Mobility> mobility;
+  std::vector<ContactRow> contacts;
+};
+
+/// What a run is, written before the first step. Discs keep size and mass, so they stand here and not in frames.
+struct RunInfo {
+  Units units;
+  Box<2> box;
+  std::vector<double> radius, mass, inertia;
+  std::vector<std::int32_t> particle;  ///< crosslinked particle of each disc, 0-based
+};
+
+/// Streams that an experiment may write: "preparation" (before the protocol) and "stress" (one row per step).
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+  virtual void begin(const RunInfo& info) = 0;
+  /// Declares a table; rows then come by append with the same name, as many values as columns.
+  virtual void declare(const std::string& table, const std::vector<Column>& columns) = 0;
+  virtual void append(const std::string& table, std::span<const double> row) = 0;
+  virtual void frame(const Frame& frame) = 0;
+  /// A number: group is "constants" (derived parameters) or "results"; error < 0: none known.
+  virtual void value(const std::string& group, const Column& name, double value, double error = -1) = 0;
+  /// The complete state at the end (or when interrupted): what `[initial] state` continues from, bit for bit.
+  virtual void final_state(const System<2>& system, const Evaluation<2>& evaluation) = 0;
+  virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
+  virtual void warning(const std::string& text) = 0;
+};
+
+/// Keeps everything in memory.
+class MemoryRecorder : public Recorder {
+ public:
+  struct Table {
+    std::vector<Column> columns;
+    std::vector<std::vector<double>> rows;
+    std::vector<double> column(const std::string& name) const;
+  };
+  struct Value {
+    Column name;
+    double value, error;
+  };
+  RunInfo info;
+  std::map<std::string, Table> tables;
+  std::vector<Frame> frames;
+  std::map<std::string, std::vector<Value>> values;
+  System<2> last_system;
+  Evaluation<2> last_evaluation;
+  std::vector<std::string> warnings;
+
+  void begin(const RunInfo& i) override { info = i; }
+  void declare(const std::string& table, const std::vector<Column>& columns) override { tables[table] = {columns, {}}; }
+  void append(const std::string& table, std::span<const double> row) override {
+    tables[table].rows.emplace_back(row.begin(), row.end());
+  }
+  void frame(const Frame& f) override { frames.push_back(f); }
+  void value(const std::string& group, const Column& name, double v, double error) override {
+    values[group].push_back({name, v, error});
+  }
+  void final_state(const System<2>& s, const Evaluation<2>& e) override { last_system = s; last_evaluation = e; }
+  void progress(const std::string&, std::int64_t, std::int64_t) override {}
+  void warning(const std::string& text) override { warnings.push_back(text); }
+  /// The value of that name, or an input error that names those that exist.
+  double get(const std::string& group, const std::string& name) const;
+};
+
+}  // namespace supple

@@ -1,0 +1,34 @@
+/// Pairs of sites that touch, are linked, or may soon touch, with the memory of each contact.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace supple {
+
+/// Tangential state of a pair. A permanent link never opens.
+enum class ContactState : std::uint8_t { open = 0, stick = 1, slip = 2, permanent = 3 };
+
+/// Rows first < second in ascending (first, second): the canonical order of every sum over contacts, which does not
+/// depend on when the neighbour list was built. Rows of site i: [begin[i], begin[i+1]).
+/// `history` holds `width` numbers a row: what the law remembers (tangential elongation [length]).
+struct PairTable {
+  std::vector<std::int32_t> begin, first, second;
+  std::vector<ContactState> state;
+  std::vector<double> history;
+  int width = 1;
+
+  int size() const { return static_cast<int>(first.size()); }
+  void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); }
+  /// Row of the pair (i, j), i < j, or -1.
+  int find(std::int32_t i, std::int32_t j) const {
+    if (i + 1 >= static_cast<int>(begin.size())) return -1;
+    int low = begin[i], high = begin[i + 1];
+    while (low < high) {
+      const int middle = (low + high) / 2;
+      if (second[middle] < j) low = middle + 1; else high = middle;
+    }
+    return low < begin[i + 1] && second[low] == j ? low : -1;
+  }
+};
+
+}  // namespace supple

@@ -1,0 +1,31 @@
+/// The sites: what moves.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "supple/core/vec.hpp"
+
+namespace supple {
+
+/// How a site moves: by its forces; with the upper or lower plate (it may spin); or not at all (it may spin).
+enum class Mobility : std::uint8_t { free = 0, lower_plate = 1, upper_plate = 2, fixed = 3 };
+
+/// Arrays over sites. Angle, spin and inertia are of sites that can spin (discs); spin is about z in 2D.
+template <int Dim>
+struct State {
+  std::vector<Vec<Dim>> position, velocity;
+  std::vector<double> mass, radius;
+  std::vector<double> angle, spin, inertia;
+  std::vector<Mobility> mobility;
+
+  int size() const { return static_cast<int>(position.size()); }
+
+  void resize(int n) {
+    position.resize(n);
+    velocity.resize(n);
+    for (auto* array : {&mass, &radius, &angle, &spin, &inertia}) array->resize(n);
+    mobility.resize(n, Mobility::free);
+  }
+};
+
+}  // namespace supple

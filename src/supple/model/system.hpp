@@ -1,0 +1,22 @@
+/// Everything that a checkpoint must hold.
+#pragma once
+#include <cstdint>
+
+#include "supple/model/box.hpp"
+#include "supple/model/pair_table.hpp"
+#include "supple/model/state.hpp"
+#include "supple/model/topology.hpp"
+
+namespace supple {
+
+template <int Dim>
+struct System {
+  Box<Dim> box;
+  State<Dim> state;
+  Topology<Dim> topology;
+  PairTable pairs;
+  double time = 0;
+  std::int64_t step = 0;
+};
+
+}  // namespace supple
