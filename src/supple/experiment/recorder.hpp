@@ -58,6 +58,8 @@ class Recorder {
   virtual void final_state(const System<2>& system, const Evaluation<2>& evaluation) = 0;
   virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
   virtual void warning(const std::string& text) = 0;
+  /// Whether the user asked to stop (Ctrl-C): the experiment then hands over its state and throws `interrupted`.
+  virtual bool stop_requested() const { return false; }
 };
 
 /// Keeps everything in memory.

@@ -1,0 +1,30 @@
+/// How a system moves in time: one interface, so that an experiment reads the same in both fidelities.
+#pragma once
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Shear rate [1/time] at the present instant and at the middle of the step that starts there.
+struct ShearRates {
+  double now = 0, mid = 0;
+};
+
+/// What the plates do: nothing (plain Lees-Edwards); take with them every disc that reaches them; repel discs.
+enum class Plates { none, capture, repulsive };
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// Forces and contacts at the present instant, as the tensors see them. Commits nothing.
+  virtual const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) = 0;
+  /// From the present instant to dt later, evaluate() having been called; `damping` multiplies, once, velocity
+  /// relative to the flow and spin. Throws a numerics error that names step and disc if a value is not finite.
+  virtual void advance(System<2>& system, ShearRates rates, double dt, double damping) = 0;
+
+  virtual void set_friction(double coefficient) = 0;
+  virtual double friction() const = 0;
+  virtual void set_plates(Plates plates) = 0;
+};
+
+}  // namespace supple
