@@ -13,6 +13,11 @@ enum class Purpose : std::uint32_t {
   link_removal = 6, isolated_join = 7, coincident_normal = 8, test = 100
 };
 
+/// Index of a stream that belongs to two numbers, such as a repeated attempt and a disc; neither may be negative.
+inline std::uint64_t stream_index(std::int32_t high, std::int32_t low) {
+  return (static_cast<std::uint64_t>(high) << 32) | static_cast<std::uint32_t>(low);
+}
+
 /// The stream (seed, purpose, index): a sequence of independent draws.
 class RandomStream {
  public:
