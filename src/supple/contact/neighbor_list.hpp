@@ -35,7 +35,4 @@ class NeighborList {
   std::vector<Vec<Dim>> position_at_build_;
 };
 
-/// Sets the state of the pair (i, j), i < j, adding its row where it has none, and zeroes its history.
-void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j, ContactState state);
-
 }  // namespace supple

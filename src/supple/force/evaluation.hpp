@@ -23,21 +23,33 @@ struct PairForce {
   bool active = false;      ///< touching or linked
 };
 
+/// A force from outside on one site.
+template <int Dim>
+struct SiteForce {
+  std::int32_t site;
+  Vec<Dim> force;
+};
+
+/// Whether energies and the virial are wanted beside the forces.
+enum class Detail { forces, energies };
+
 /// Energy stored and power dissipated, by channel.
 struct EnergyParts {
-  double terms = 0, elastic = 0, tangential = 0;        ///< [energy]
+  double terms = 0, elastic = 0, tangential = 0, wall = 0;  ///< [energy]
   double viscous_power = 0, tangential_viscous_power = 0, sliding_power = 0;  ///< [energy / time], positive: lost
   EnergyParts& operator+=(const EnergyParts& b) {
-    terms += b.terms; elastic += b.elastic; tangential += b.tangential;
+    terms += b.terms; elastic += b.elastic; tangential += b.tangential; wall += b.wall;
     viscous_power += b.viscous_power; tangential_viscous_power += b.tangential_viscous_power;
     sliding_power += b.sliding_power;
     return *this;
   }
-  double stored() const { return terms + elastic + tangential; }
+  double stored() const { return terms + elastic + tangential + wall; }
 };
 
 /// Forces and torques on every site, the contacts that made them, and what the law will remember if the step is
-/// accepted (ForceField::commit). `virial` is minus the sum over contacts of F l^T and over terms of f r^T.
+/// accepted (ForceField::commit). `virial` is the sum over contacts of F l^T (F on a site, l from the other site to it)
+/// and over terms of f r^T: volume times static stress, compression positive. `energy` and `virial` are filled on
+/// request (Detail::energies).
 template <int Dim>
 struct Evaluation {
   std::vector<Vec<Dim>> force;
@@ -45,6 +57,7 @@ struct Evaluation {
   std::vector<PairForce<Dim>> pair;          ///< aligned with System::pairs
   std::vector<ContactState> trial_state;     ///< aligned with System::pairs
   std::vector<double> trial_history;         ///< aligned with System::pairs.history
+  std::vector<SiteForce<Dim>> wall;          ///< forces of repulsive plates and walls, external to the sample
   EnergyParts energy;
   Mat<Dim> virial;
 };

@@ -16,6 +16,7 @@ struct PairTable {
   std::vector<ContactState> state;
   std::vector<double> history;
   int width = 1;
+  std::uint64_t version = 0;  ///< changes whenever rows come or go
 
   int size() const { return static_cast<int>(first.size()); }
   void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); }
@@ -30,5 +31,11 @@ struct PairTable {
     return low < begin[i + 1] && second[low] == j ? low : -1;
   }
 };
+
+/// Fills `begin` from `first`, for that many sites.
+void index_rows(PairTable& pairs, int sites);
+
+/// Sets the state of the pair (i, j), i < j, adding its row where it has none, and zeroes its history.
+void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j, ContactState state);
 
 }  // namespace supple

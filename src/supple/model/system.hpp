@@ -16,6 +16,9 @@ struct System {
   Topology<Dim> topology;
   PairTable pairs;
   double time = 0;
+  /// Time over which the present velocities carried the positions while contact history has not yet followed: the
+  /// last step of a leapfrog, 0 where position and velocity are of one instant.
+  double lag = 0;
   std::int64_t step = 0;
 };
 

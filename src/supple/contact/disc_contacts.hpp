@@ -1,0 +1,44 @@
+/// The fast loop over disc-disc contacts in 2D: pair table in, forces, torques and trial history out.
+#pragma once
+#include <algorithm>
+#include <variant>
+
+#include "supple/contact/laws/list.hpp"
+#include "supple/core/parallel.hpp"
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Force on the first disc of an active row; on the second it is the opposite.
+inline Vec2 force_on_first(const PairForce<2>& p) {
+  return -(p.elastic + p.viscous) * p.normal + p.tangential * turned_left(p.normal);
+}
+
+/// The law of microgel discs with its repulsion, on every row of the pair table.
+class DiscContacts {
+ public:
+  DiscContacts() = default;
+  DiscContacts(Repulsion repulsion, DiscLaw law) : repulsion_(std::move(repulsion)), law_(law) {}
+
+  const DiscLaw& law() const { return law_; }
+  const Repulsion& repulsion() const { return repulsion_; }
+  void set_friction(double coefficient) { law_.friction = coefficient; }
+
+  /// Adds forces and torques of all contacts to `out`, fills its pair rows and trial history. History advances by
+  /// dt [time], over which the present velocities are taken to have acted; 0 leaves it as it is.
+  void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
+
+ private:
+  template <class R>
+  void fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
+  void index_back_rows(const PairTable& pairs, int sites);
+  void gather(const System<2>& system, Evaluation<2>& out) const;
+
+  Repulsion repulsion_;
+  DiscLaw law_;
+  std::vector<std::int32_t> back_begin_, back_row_;  ///< rows in which a site is second, in ascending order
+  std::uint64_t indexed_version_ = 0;
+};
+
+}  // namespace supple

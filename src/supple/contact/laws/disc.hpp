@@ -1,0 +1,61 @@
+/// The contact law of microgel discs: elastic, viscous and tangential parts, for contacts and permanent links.
+#pragma once
+#include "supple/contact/laws/elastic.hpp"
+#include "supple/contact/laws/friction.hpp"
+
+namespace supple {
+
+/// Arms of the tangential speed: the shares d r_i/(r_i + r_j) that the torques have (work closes, a rigid rotation
+/// winds nothing up), or the radii, as in the published package.
+enum class LeverArm { distance, radius };
+
+/// Stiffness [force/length] and viscosity [force/speed] of one kind of pair, central and tangential.
+struct PairStiffness {
+  double k = 0, eta = 0, k_t = 0, eta_t = 0;
+};
+
+/// Parameters that every pair shares; k of `contact` and `link` differ by the interface re-enforcement.
+struct DiscLaw {
+  PairStiffness contact, link;
+  Tensile tension;
+  double friction = 0;
+  Slip slip = Slip::clamp;
+  LeverArm lever_arm = LeverArm::distance;
+};
+
+/// The relative motion of two discs: distance d, d0 = r_i + r_j, speed of separation v_n = v_rel.n, and v_t.
+struct PairMotion {
+  double d, d0, v_n, v_t;
+};
+
+/// elastic, viscous: repulsion positive; tangential: on the first disc along t = (-n_y, n_x) [force].
+struct DiscResponse {
+  double elastic, viscous;
+  TangentialResponse tangential;
+};
+
+/// A touching pair (d < d0): repulsion, viscosity, Coulomb friction with limit mu F_el.
+template <class Repulsion>
+DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+  const PairStiffness& s = law.contact;
+  const double elastic = repulsion.force(m.d, m.d0, s.k);
+  return {elastic, -s.eta * m.v_n,
+          coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::abs(law.friction * elastic), law.slip)};
+}
+
+/// A permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb limit.
+template <class Repulsion>
+DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+  const PairStiffness& s = law.link;
+  const double elastic = m.d < m.d0 ? repulsion.force(m.d, m.d0, s.k) : law.tension.force(m.d, m.d0, s.k);
+  return {elastic, -s.eta * m.v_n, bonded(u, m.v_t, dt, s.k_t, s.eta_t)};
+}
+
+/// Energy of the elastic part [energy]: the integral of `elastic` of the responses above.
+template <class Repulsion>
+double elastic_energy(const Repulsion& repulsion, const DiscLaw& law, double d, double d0, bool linked) {
+  const double k = linked ? law.link.k : law.contact.k;
+  return d < d0 ? repulsion.energy(d, d0, k) : law.tension.energy(d, d0, k);
+}
+
+}  // namespace supple

@@ -1,0 +1,118 @@
+/// Elastic repulsion of two discs: force and energy as functions of the centre distance d < d0, d0 = r_i + r_j.
+/// Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force = -d(energy)/dd,
+/// both zero at d0; k [force/length]. Figure S1-3 compares them.
+#pragma once
+#include <cmath>
+#include <string_view>
+
+namespace supple {
+
+/// Linear to divergent (S1-5a, S1-5b, S1-6): F = k [ (1-c) delta + c delta d0/d ], delta = d0 - d, at most 1000 k d0.
+/// c = 1: divergent at d = 0 (default); c = 0: linear.
+class Divergent {
+ public:
+  static constexpr std::string_view name = "divergent";
+  static constexpr double cap = 1000;
+
+  explicit Divergent(double c = 1) : c_(c), x_cap_(cap_distance(c)) {}
+
+  double force(double d, double d0, double k) const {
+    const double delta = d0 - d;
+    if (d <= x_cap_ * d0) return capped_force(d, d0, k);
+    return k * delta * ((1 - c_) + c_ * d0 / d);
+  }
+  double energy(double d, double d0, double k) const {
+    const double x = x_cap_ * d0;
+    if (d < x) return energy(x, d0, k) + (x - d) * cap * k * d0;
+    const double delta = d0 - d;
+    return k * (0.5 * (1 - c_) * delta * delta + (c_ > 0 ? c_ * d0 * (d0 * std::log(d0 / d) - delta) : 0));
+  }
+
+ private:
+  /// d/d0 where the force reaches the cap: (1-c) x^2 + (cap - 1 + 2c) x - c = 0.
+  static double cap_distance(double c) {
+    const double b = cap - 1 + 2 * c;
+    return 2 * c / (b + std::sqrt(b * b + 4 * (1 - c) * c));
+  }
+  double capped_force(double d, double d0, double k) const { return c_ > 0 ? cap * k * d0 : k * (d0 - d); }
+
+  double c_, x_cap_;
+};
+
+/// Hertz-like (S1-13, the 3D average with Z = 10.7): F = Z sqrt(2)/(8 sqrt(3)) E R^-1/2 delta^1.5 per metre of depth,
+/// R = d0/2 and E = 8 k/pi (S1-8).
+class Hertz {
+ public:
+  static constexpr std::string_view name = "hertz";
+  double force(double d, double d0, double k) const {
+    const double delta = d0 - d;
+    return prefactor(d0, k) * delta * std::sqrt(delta);
+  }
+  double energy(double d, double d0, double k) const {
+    const double delta = d0 - d;
+    return 0.4 * prefactor(d0, k) * delta * delta * std::sqrt(delta);
+  }
+
+ private:
+  static double prefactor(double d0, double k) {
+    constexpr double pi = 3.14159265358979323846, coordination = 10.7;
+    static const double z = coordination * std::sqrt(2.0) / (8 * std::sqrt(3.0));
+    return z * (8 * k / pi) / std::sqrt(0.5 * d0);
+  }
+};
+
+/// Highly compressible, sponge-like discs: the divergent law of a mapped distance d'(d), which falls with the
+/// reduced `slope` between `end` and `begin` (shares of d0) and then straight to zero at d = 0.
+class Plateau {
+ public:
+  static constexpr std::string_view name = "plateau";
+  Plateau(double c, double begin, double end, double slope)
+      : law_(c), begin_(begin), end_(end), slope_(slope), inner_slope_((end + (begin - end) * slope) / begin) {}
+
+  double force(double d, double d0, double k) const { return law_.force(mapped(d, d0), d0, k); }
+  /// Integral of the force over d, not over d': each branch is divided by its slope d(d')/dd.
+  double energy(double d, double d0, double k) const {
+    const auto u = [&](double at) { return law_.energy(mapped(at, d0), d0, k); };
+    const double begin = begin_ * d0, end = end_ * d0;
+    if (d >= end) return u(d);
+    if (d >= begin) return u(end) + (u(d) - u(end)) / slope_;
+    return u(end) + (u(begin) - u(end)) / slope_ + (u(d) - u(begin)) / inner_slope_;
+  }
+
+ private:
+  double mapped(double d, double d0) const {
+    if (d >= end_ * d0) return d;
+    if (d >= begin_ * d0) return end_ * d0 + (d - end_ * d0) * slope_;
+    return d * inner_slope_;
+  }
+  Divergent law_;
+  double begin_, end_, slope_, inner_slope_;
+};
+
+/// Attraction of a stretched link, d > d0, as repulsion of negative sign. Linear: k (d - d0).
+/// Exponential: k a d0 (exp((d - d0)/(a d0)) - 1), stiffening. Saturating: k a d0 (1 - exp(-(d - d0)/(a d0))), the
+/// published package's "exponential". a: `range`; all have slope k at d0.
+class Tensile {
+ public:
+  enum class Kind { linear, exponential, saturating };
+  explicit Tensile(Kind kind = Kind::linear, double range = 0.2) : kind_(kind), range_(range) {}
+
+  double force(double d, double d0, double k) const {
+    const double stretch = d - d0;
+    if (kind_ == Kind::linear) return -k * stretch;
+    const double sign = kind_ == Kind::exponential ? 1 : -1, length = range_ * d0;
+    return -sign * k * length * std::expm1(sign * stretch / length);
+  }
+  double energy(double d, double d0, double k) const {
+    const double stretch = d - d0;
+    if (kind_ == Kind::linear) return 0.5 * k * stretch * stretch;
+    const double sign = kind_ == Kind::exponential ? 1 : -1, length = range_ * d0;
+    return k * length * (length * std::expm1(sign * stretch / length) - sign * stretch);
+  }
+
+ private:
+  Kind kind_;
+  double range_;
+};
+
+}  // namespace supple

@@ -1,0 +1,36 @@
+/// Tangential spring and dashpot with a Coulomb limit [Otsuki & Hayakawa 2017, eqs 4-6; Cundall & Strack 1979].
+#pragma once
+#include <cmath>
+
+#include "supple/model/pair_table.hpp"
+
+namespace supple {
+
+/// What the spring does while the contact slips: held so that |k_t u + eta_t v_t| = limit (Cundall-Strack); not
+/// integrated (Otsuki & Hayakawa); or set to zero (published package).
+enum class Slip { clamp, freeze, reset };
+
+/// Force along t on the first site [force], and what the contact remembers: elongation u [length] and state.
+struct TangentialResponse {
+  double force, elongation;
+  ContactState state;
+};
+
+/// F_t = k_t u + eta_t v_t with u = integral of v_t dt: the bond of a permanent link, which has no limit.
+inline TangentialResponse bonded(double u, double v_t, double dt, double k_t, double eta_t) {
+  const double elongation = u + v_t * dt;
+  return {k_t * elongation + eta_t * v_t, elongation, ContactState::permanent};
+}
+
+/// The same up to |F_t| = limit = mu F_el (stick), and the limit with the sign of F_t beyond it (slip).
+inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, double eta_t, double limit, Slip slip) {
+  const TangentialResponse trial = bonded(u, v_t, dt, k_t, eta_t);
+  if (std::abs(trial.force) <= limit) return {trial.force, trial.elongation, ContactState::stick};
+  const double force = std::copysign(limit, trial.force);
+  const double held = slip == Slip::freeze ? u
+                    : slip == Slip::clamp && k_t > 0 ? (force - eta_t * v_t) / k_t
+                                                     : 0;
+  return {force, held, ContactState::slip};
+}
+
+}  // namespace supple

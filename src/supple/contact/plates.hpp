@@ -1,0 +1,13 @@
+/// Purely repulsive plates at y = 0 and y = Ly, an alternative to plates that take discs with them.
+#pragma once
+#include "supple/contact/laws/list.hpp"
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// A disc that overlaps a plate is repelled, without friction, as by its mirror image: F(2 y, 2 r), y its height over
+/// the plate. Adds to force, wall and (on request) energy.wall.
+void evaluate_plates(const System<2>& system, const Repulsion& repulsion, double k, Detail detail, Evaluation<2>& out);
+
+}  // namespace supple

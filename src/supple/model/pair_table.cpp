@@ -1,0 +1,28 @@
+#include "supple/model/pair_table.hpp"
+
+namespace supple {
+
+void index_rows(PairTable& pairs, int sites) {
+  pairs.begin.assign(static_cast<std::size_t>(sites) + 1, 0);
+  for (std::int32_t i : pairs.first) ++pairs.begin[i + 1];
+  for (int i = 0; i < sites; ++i) pairs.begin[i + 1] += pairs.begin[i];
+}
+
+void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j, ContactState state) {
+  if (static_cast<int>(pairs.begin.size()) != sites + 1) index_rows(pairs, sites);
+  int row = pairs.find(i, j);
+  if (row < 0) {
+    row = pairs.begin[i];
+    while (row < pairs.begin[i + 1] && pairs.second[row] < j) ++row;
+    pairs.first.insert(pairs.first.begin() + row, i);
+    pairs.second.insert(pairs.second.begin() + row, j);
+    pairs.state.insert(pairs.state.begin() + row, state);
+    pairs.history.insert(pairs.history.begin() + static_cast<std::ptrdiff_t>(row) * pairs.width, pairs.width, 0.0);
+    for (int k = i + 1; k <= sites; ++k) ++pairs.begin[k];
+    ++pairs.version;
+  }
+  pairs.state[row] = state;
+  for (int w = 0; w < pairs.width; ++w) pairs.history[static_cast<std::size_t>(row) * pairs.width + w] = 0;
+}
+
+}  // namespace supple

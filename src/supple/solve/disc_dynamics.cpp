@@ -1,0 +1,120 @@
+#include "supple/solve/disc_dynamics.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+namespace {
+
+void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
+  State<2>& s = system.state;
+  const double plate_speed = 0.5 * system.box.strain_rate * system.box.length[gradient];
+  for (int i = 0; i < s.size(); ++i) {
+    s.spin[i] += time / s.inertia[i] * evaluation.torque[i];
+    switch (s.mobility[i]) {
+      case Mobility::free: s.velocity[i] += time / s.mass[i] * evaluation.force[i]; break;
+      case Mobility::lower_plate: s.velocity[i] = {-plate_speed, 0}; break;
+      case Mobility::upper_plate: s.velocity[i] = {plate_speed, 0}; break;
+      case Mobility::fixed: s.velocity[i] = {}; break;
+    }
+  }
+}
+
+/// Velocity relative to the flow and spin relative to its rotation, -rate/2, times `factor`.
+void damp(System<2>& system, double factor) {
+  State<2>& s = system.state;
+  const double rotation = -0.5 * system.box.strain_rate;
+  for (int i = 0; i < s.size(); ++i) {
+    s.spin[i] = rotation + (s.spin[i] - rotation) * factor;
+    if (s.mobility[i] != Mobility::free) continue;
+    const Vec2 u = system.box.flow_velocity(s.position[i]);
+    s.velocity[i] = u + factor * (s.velocity[i] - u);
+  }
+}
+
+void drift(System<2>& system, double dt) {
+  State<2>& s = system.state;
+  system.box.strain += system.box.strain_rate * dt;
+  double finite = 0;  // becomes NaN with the first value that is not finite
+  for (int i = 0; i < s.size(); ++i) {
+    s.angle[i] += dt * s.spin[i];
+    s.position[i] += dt * s.velocity[i];
+    system.box.wrap(s.position[i], s.velocity[i]);
+    finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
+  }
+  if (finite == 0) return;
+  for (int i = 0; i < s.size(); ++i)
+    if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
+      throw numerics_error("disc " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
+                           "the time step may be too large or the law too stiff", "reduce [time] step");
+}
+
+}  // namespace
+
+void set_strain_rate(System<2>& system, double rate) {
+  const double change = rate - system.box.strain_rate, middle = 0.5 * system.box.length[gradient];
+  system.box.strain_rate = rate;
+  if (change == 0) return;
+  State<2>& s = system.state;
+  for (int i = 0; i < s.size(); ++i) {
+    s.velocity[i][flow] += (s.position[i][gradient] - middle) * change;
+    s.spin[i] -= 0.5 * change;
+  }
+}
+
+void capture_at_boundaries(System<2>& system, Plates plates) {
+  State<2>& s = system.state;
+  const Box<2>& box = system.box;
+  for (int i = 0; i < s.size(); ++i) {
+    if (s.mobility[i] != Mobility::free) continue;
+    const double y = s.position[i][gradient], r = s.radius[i];
+    if (plates == Plates::capture && !(r < y && y < box.length[gradient] - r))
+      s.mobility[i] = y > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
+    for (int d = 0; d < 2; ++d)
+      if (!box.periodic[d] && !(r < s.position[i][d] && s.position[i][d] < box.length[d] - r))
+        s.mobility[i] = Mobility::fixed;
+  }
+}
+
+const Evaluation<2>& DiscDynamics::evaluate(System<2>& system, ShearRates) {
+  forces_.evaluate(system, Detail::forces, evaluation_);
+  return evaluation_;
+}
+
+const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system) {
+  forces_.evaluate(system, Detail::energies, evaluation_);
+  return evaluation_;
+}
+
+void DiscDynamics::set_plates(Plates plates) {
+  plates_ = plates;
+  forces_.set_repulsive_plates(plates == Plates::repulsive);
+}
+
+void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, double damping) {
+  const double kick_time = 0.5 * (system.lag + dt);
+  forces_.commit(system, evaluation_);
+  set_strain_rate(system, rates.mid);
+  kick(system, evaluation_, kick_time);
+  if (damping != 1) damp(system, damping);
+  drift(system, dt);
+  capture_at_boundaries(system, plates_);
+  system.lag = dt;
+  system.time += dt;
+  ++system.step;
+}
+
+Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
+  const State<2>& s = system.state;
+  if (s.mobility[i] != Mobility::free) return s.velocity[i];
+  return s.velocity[i] + 0.5 * system.lag / s.mass[i] * evaluation.force[i];
+}
+
+double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
+  return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
+}
+
+}  // namespace supple

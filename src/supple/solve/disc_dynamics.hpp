@@ -1,0 +1,43 @@
+/// The documented microgel model in time: leapfrog, plates, damping relative to the flow.
+#pragma once
+#include "supple/force/force_field.hpp"
+#include "supple/solve/stepper.hpp"
+
+namespace supple {
+
+/// Leapfrog of any step: positions and forces at t, velocities half a step earlier (System::lag; 0: the same instant).
+///     v(t + dt/2) = v(t - lag/2) + (lag + dt)/2 F(t)/m,    x(t + dt) = x(t) + dt v(t + dt/2)
+/// Second order, one evaluation a step, and the state alone gives the next step bit for bit.
+class DiscDynamics : public Stepper {
+ public:
+  explicit DiscDynamics(ForceField forces) : forces_(std::move(forces)) {}
+
+  const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) override;
+  void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
+  /// The same as evaluate() with energies, dissipated power and virial.
+  const Evaluation<2>& evaluate_energies(System<2>& system);
+
+  void set_friction(double coefficient) override { forces_.contacts().set_friction(coefficient); }
+  double friction() const override { return forces_.contacts().law().friction; }
+  void set_plates(Plates plates) override;
+  /// Call after sites, radii or links were changed by hand.
+  void invalidate() { forces_.invalidate(); }
+  const ForceField& forces() const { return forces_; }
+
+ private:
+  ForceField forces_;
+  Evaluation<2> evaluation_;
+  Plates plates_ = Plates::none;
+};
+
+/// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -= change/2.
+void set_strain_rate(System<2>& system, double rate);
+
+/// Discs that touch a plate join it; discs that touch a wall of a cell that is not periodic are fixed.
+void capture_at_boundaries(System<2>& system, Plates plates);
+
+/// v(t) from v(t - lag/2): velocities at the instant of the forces, for kinetic energy and momenta.
+Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
+double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
+
+}  // namespace supple
