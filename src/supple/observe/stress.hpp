@@ -41,9 +41,4 @@ struct StressTensors {
 /// All tensors at the instant of `evaluation`; `unit` is one unit of stress of the run in Pa (Units::stress).
 StressTensors stress_tensors(const System<2>& system, const Evaluation<2>& evaluation, double unit = 1);
 
-/// Force on `first` of a row, and its opposite on `second`: repulsion along -n, tangential along t = (-n_y, n_x).
-inline Vec2 force_on_first(const PairForce<2>& row) {
-  return -(row.elastic + row.viscous) * row.normal + row.tangential * turned_left(row.normal);
-}
-
 }  // namespace supple
