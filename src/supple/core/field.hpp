@@ -20,6 +20,9 @@ struct Range {
     return std::isfinite(x) && (open_low ? x > low : x >= low) && (open_high ? x < high : x <= high);
   }
 };
+/// "above 0", "from 0 to 1", "from 0, below 1"; empty where every finite number is allowed.
+std::string describe(const Range& range);
+
 inline constexpr Range any_value{};
 inline constexpr Range positive{0, std::numeric_limits<double>::infinity(), true, false};
 inline constexpr Range not_negative{0};

@@ -143,6 +143,10 @@ const Fields<Output>& fields() {
       {"frames", &Output::frames, "", "evenly spaced frames; 0 in dynamics: every step", not_negative},
       {"images", &Output::images, "", "evenly spaced images of the protocol", not_negative},
       {"image_format", &Output::image_format, "", "format of the images", any_value, {"png", "jpg", "svg", "pdf", "ps"}},
+      {"plot", &Output::plot, "", "also draw strain and stress against time, beside the run"},
+      {"relative_y_scale_force", &Output::relative_y_scale_force, "Young modulus",
+       "where the plot's stress axis ends; 0: what the data need", not_negative},
+      {"snapshot", &Output::snapshot, "", "also draw the cell at the end, beside the run"},
       {"text", &Output::text, "", "also write the published text format"},
   };
   return f;

@@ -73,10 +73,13 @@ struct Output {
   int frames = 0;             ///< evenly spaced frames over the protocol; dynamics: 0 means every step
   int images = 0;             ///< evenly spaced images over the protocol
   std::string image_format = "png";
+  bool plot = true;           ///< also draw strain and stress against time
+  double relative_y_scale_force = 0;  ///< end of the plot's stress axis; 0: what the data need
+  bool snapshot = true;       ///< also draw the cell at the end
   bool text = false;          ///< also write the published text format
 };
 
-/// A whole case. `given` names the keys ("section.key") that the user set; the others hold defaults and give way
+/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the others hold defaults and give way
 /// to what a state file says. `origin` is the file the case came from, for errors and relative paths.
 struct Case {
   General general;

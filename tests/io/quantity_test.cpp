@@ -1,0 +1,59 @@
+#include "supple/io/quantity.hpp"
+
+#include <gmock/gmock.h>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+namespace {
+
+using testing::HasSubstr;
+
+std::string error_of(std::string_view text, std::string_view unit) {
+  try {
+    parse_quantity(text, unit);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(Quantity, PrefixesAreExactPowersOfTen) {
+  EXPECT_EQ(parse_quantity("500 um", "m"), 500e-6);
+  EXPECT_EQ(parse_quantity("500um", "m"), 500e-6);
+  EXPECT_EQ(parse_quantity("500 µm", "m"), 500e-6);
+  EXPECT_EQ(parse_quantity("0.5 mm", "m"), 0.5e-3);
+  EXPECT_EQ(parse_quantity(" 8 kPa ", "Pa"), 8000);
+  EXPECT_EQ(parse_quantity("0.1 us", "s"), 1e-7);
+  EXPECT_EQ(parse_quantity("1.5e+2 nm", "m"), 150e-9);
+  EXPECT_EQ(parse_quantity("2 MPa", "Pa"), 2e6);
+  EXPECT_EQ(parse_quantity("3 mPa", "Pa"), 3e-3);
+}
+
+TEST(Quantity, ProductsAndPowers) {
+  EXPECT_EQ(parse_quantity("1000 kg/m^3", "kg/m^3"), 1000);
+  EXPECT_EQ(parse_quantity("1000 kg/m³", "kg/m^3"), 1000);
+  EXPECT_EQ(parse_quantity("1000 kg m^-3", "kg/m^3"), 1000);
+  EXPECT_EQ(parse_quantity("1.05 g/cm^3", "kg/m^3"), 1050);
+  EXPECT_EQ(parse_quantity("8 kN/m^2", "Pa"), 8000);
+  EXPECT_EQ(parse_quantity("4 kHz", "1/s"), 4000);
+}
+
+TEST(Quantity, UnitsAsDeclaredAndPercent) {
+  EXPECT_EQ(parse_quantity("0.3 d0", "d0"), 0.3);
+  EXPECT_EQ(parse_quantity("20 %", ""), 0.2);
+  EXPECT_EQ(parse_quantity("15 deg", "degree"), 15);
+}
+
+TEST(Quantity, ErrorsSayWhatIsWrong) {
+  EXPECT_THAT(error_of("wide", "m"), HasSubstr("\"wide\" is not a number"));
+  EXPECT_THAT(error_of("nan m", "m"), HasSubstr("not a number"));
+  EXPECT_THAT(error_of("5 kg", "m"), HasSubstr("wrong dimension, 'kg' is no multiple of m"));
+  EXPECT_THAT(error_of("5 um/s", "m"), HasSubstr("wrong dimension"));
+  EXPECT_THAT(error_of("5 furlong", "m"), HasSubstr("unknown unit 'furlong'"));
+  EXPECT_THAT(error_of("5", "m"), HasSubstr("without a unit"));
+  EXPECT_THAT(error_of("0.1 m", ""), HasSubstr("a unit where none is expected"));
+}
+
+}  // namespace
+}  // namespace supple
