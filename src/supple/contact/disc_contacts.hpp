@@ -10,11 +10,6 @@
 
 namespace supple {
 
-/// Force on the first disc of an active row; on the second it is the opposite.
-inline Vec2 force_on_first(const PairForce<2>& p) {
-  return -(p.elastic + p.viscous) * p.normal + p.tangential * turned_left(p.normal);
-}
-
 /// The law of microgel discs with its repulsion, on every row of the pair table.
 class DiscContacts {
  public:

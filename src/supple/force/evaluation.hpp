@@ -23,6 +23,11 @@ struct PairForce {
   bool active = false;      ///< touching or linked
 };
 
+/// Force on `first` of an active row, and its opposite on `second`: repulsion along -n, tangential along t.
+inline Vec2 force_on_first(const PairForce<2>& row) {
+  return -(row.elastic + row.viscous) * row.normal + row.tangential * turned_left(row.normal);
+}
+
 /// A force from outside on one site.
 template <int Dim>
 struct SiteForce {
