@@ -48,6 +48,8 @@ void add_contacts(const System<2>& system, const Evaluation<2>& evaluation, Stre
     if (second_free) s.external.add_outer(1, force, position[j] - centre);
     s.external_register += 4 * (first_free + second_free);
   }
+  for (const SiteForce<2>& wall : evaluation.wall)
+    s.external.add_outer(-1, wall.force, position[wall.site] - centre);
   s.love_weber = sums[internal].force_lever;
   s.internal_torque = torque_tensor(sums[internal].torque);
   s.love_weber_periodic = s.love_weber + sums[across_flow].force_lever;
