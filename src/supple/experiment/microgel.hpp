@@ -1,0 +1,45 @@
+/// The documented microgel model as a case asks for it: constants, laws, time step.
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "supple/experiment/case.hpp"
+#include "supple/experiment/initial_state.hpp"
+#include "supple/experiment/recorder.hpp"
+#include "supple/solve/disc_dynamics.hpp"
+
+namespace supple {
+
+/// Numbers that follow from a case (physics sections 1 and 7). SI, per metre of depth where that applies.
+struct MicrogelConstants {
+  double mean_mass = 0, smallest_mass = 0;
+  double k = 0;          ///< (pi/8) E (S1-8) [N/m per m]
+  double tau = 0;        ///< sqrt(m/k) [s]
+  double frequency = 0;  ///< [Hz]
+  double stable_step = 0, time_step = 0;  ///< [s]
+  DiscLaw law;
+};
+
+/// Constants of the case, or of the state that it starts from; keys that the user gave win over the state's numbers.
+/// Throws an input error where the time step that was asked for is above the stability limit.
+MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
+
+/// The repulsion law that the case names.
+Repulsion make_repulsion(const Case& c, const MaterialConstants& material);
+
+/// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by six
+/// contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened s-fold by a 50 % overlap, damping ratio z = 6 (eta + 3 eta_t)/(2 m w).
+/// The 3 is 1 of translation and 2 of rotation (r^2/I = 2/m). [O'Sullivan & Bray 2004, with damping]
+double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass);
+
+/// Share of the stability limit that is used: a contact period then has about 20 steps.
+inline constexpr double step_share = 0.15;
+
+/// "capture", "repulsive", "none".
+Plates plates_of(const Case& c);
+
+/// The stepper of the documented model, with its friction switched on and no plates yet.
+std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const InitialState* initial, const MicrogelConstants& k);
+
+}  // namespace supple
