@@ -7,8 +7,8 @@
 
 namespace supple {
 
-/// Smallest number of insertions, deletions, replacements and swaps of neighbours that turn a into b; upper and lower
-/// case count as the same letter.
+/// Smallest number of insertions, deletions, replacements and swaps of neighbours that turn a into b; upper
+/// and lower case count as the same letter.
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate nearest to `name`, if any is near enough to be meant (about one wrong letter in three).

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
@@ -50,13 +50,20 @@ std::vector<std::string> key_names(std::string_view section) {
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::string: return "a string";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number with a decimal point";
-    case toml::node_type::boolean: return "true or false";
-    case toml::node_type::array: return "a list";
-    case toml::node_type::table: return "a section";
-    default: return "a date or time";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number with a decimal point";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::table:
+      return "a section";
+    default:
+      return "a date or time";
   }
 }
 
@@ -79,8 +86,7 @@ class Reader {
   void read(const toml::table& root) {
     const std::vector<std::string> sections = section_names();
     for (auto&& [key, node] : root) {
-      if (std::find(sections.begin(), sections.end(), key.str()) == sections.end())
-        read_key("", key, node);
+      if (std::find(sections.begin(), sections.end(), key.str()) == sections.end()) read_key("", key, node);
       else if (const toml::table* section = node.as_table())
         for (auto&& [name, value] : *section) read_key(key.str(), name, value);
       else
@@ -102,10 +108,10 @@ class Reader {
 
   void report(const toml::source_region& at, const std::string& what, const std::string& why = {},
               const std::string& to_do = {}) {
-    const std::string place = kind_ == Kind::override_
-                                  ? origin_
-                                  : fmt::format("{}:{}:{}", origin_, at.begin.line, at.begin.column);
-    problems_.push_back({at.begin.line, at.begin.column, input_error(place + ": " + what, why, to_do).what()});
+    const std::string place =
+        kind_ == Kind::override_ ? origin_ : fmt::format("{}:{}:{}", origin_, at.begin.line, at.begin.column);
+    problems_.push_back(
+        {at.begin.line, at.begin.column, input_error(place + ": " + what, why, to_do).what()});
   }
 
  private:
@@ -120,7 +126,8 @@ class Reader {
       if (s != section || field.name != key.str()) return;
       known = true;
       const std::string name = full_key(section, field.name);
-      if (std::visit([&](auto member) { return assign(parameters.*member, field, name, node); }, field.member))
+      if (std::visit([&](auto member) { return assign(parameters.*member, field, name, node); },
+                     field.member))
         case_.given.insert(name);
     });
     if (known) return;
@@ -165,9 +172,10 @@ class Reader {
   }
 
   template <class F>
-  bool wrong_type(const F& field, const std::string& name, const toml::node& node, const std::string& expected,
-                  const std::string& to_do = {}) {
-    report(node.source(), fmt::format("{} must be {}, not {} ({})", name, expected, type_name(node), shown(node)),
+  bool wrong_type(const F& field, const std::string& name, const toml::node& node,
+                  const std::string& expected, const std::string& to_do = {}) {
+    report(node.source(),
+           fmt::format("{} must be {}, not {} ({})", name, expected, type_name(node), shown(node)),
            std::string(field.meaning), to_do);
     return false;
   }
@@ -177,8 +185,8 @@ class Reader {
     if (field.range.contains(value)) return true;
     const std::string unit = field.unit.empty() ? "" : fmt::format(" {}", field.unit);
     const std::string range = std::isfinite(value) ? describe(field.range) : "finite";
-    report(node.source(), fmt::format("{} = {} is out of range", name, shown(node)), std::string(field.meaning),
-           fmt::format("it must be {}{}", range, unit));
+    report(node.source(), fmt::format("{} = {} is out of range", name, shown(node)),
+           std::string(field.meaning), fmt::format("it must be {}{}", range, unit));
     return false;
   }
 
@@ -192,7 +200,8 @@ class Reader {
         const std::string_view example = example_quantity(field.unit);
         const std::string unit = field.unit.empty() ? "" : fmt::format(" in {}", field.unit);
         report(node.source(), fmt::format("{}: {}", name, e.what()), std::string(field.meaning),
-               fmt::format("write a number{}{}", unit, example.empty() ? "" : fmt::format(", or \"{}\"", example)));
+               fmt::format("write a number{}{}", unit,
+                           example.empty() ? "" : fmt::format(", or \"{}\"", example)));
         return false;
       }
     } else if (const auto number = node.value_exact<double>()) {
@@ -208,7 +217,7 @@ class Reader {
   }
 
   template <class Integer, class F>
-    requires std::is_integral_v<Integer>
+  requires std::is_integral_v<Integer>
   bool assign(Integer& target, const F& field, const std::string& name, const toml::node& node) {
     const auto value = node.value_exact<std::int64_t>();
     if (!value) {
@@ -236,8 +245,10 @@ class Reader {
     const std::vector<std::string> choices(field.choices.begin(), field.choices.end());
     if (!choices.empty() && std::find(choices.begin(), choices.end(), *value) == choices.end()) {
       const auto near = nearest_name(*value, choices);
-      report(node.source(), fmt::format("{} = \"{}\" is not a choice", name, *value), std::string(field.meaning),
-             (near ? fmt::format("did you mean \"{}\"? It", *near) : "it") + " must be one of " + join_names(choices, "\""));
+      report(node.source(), fmt::format("{} = \"{}\" is not a choice", name, *value),
+             std::string(field.meaning),
+             (near ? fmt::format("did you mean \"{}\"? It", *near) : "it") + " must be one of " +
+                 join_names(choices, "\""));
       return false;
     }
     target = *value;
@@ -295,7 +306,8 @@ void apply_override(Case& c, const std::string& text) {
 
 }  // namespace
 
-Case read_case_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<std::string>& overrides) {
   Case c;
   c.origin = name;
   Reader reader(c, name, Reader::Kind::file);
@@ -306,7 +318,8 @@ Case read_case_text(const std::string& text, const std::string& name, const std:
   }
   reader.finish();
   if (c.is_given("initial.state") && !c.initial.state.empty())
-    c.initial.state = (std::filesystem::path(name).parent_path() / c.initial.state).lexically_normal().string();
+    c.initial.state =
+        (std::filesystem::path(name).parent_path() / c.initial.state).lexically_normal().string();
   for (const std::string& text_of_override : overrides) apply_override(c, text_of_override);
   return c;
 }
@@ -316,9 +329,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   std::stringstream text;
   if (file) text << file.rdbuf();
   if (!file || std::filesystem::is_directory(path))
-    throw file_error(fmt::format("cannot read the case '{}'", path),
-                     std::filesystem::is_directory(path) ? "it is a folder" : "it does not exist or is not readable",
-                     "supple init writes a case to start from");
+    throw file_error(
+        fmt::format("cannot read the case '{}'", path),
+        std::filesystem::is_directory(path) ? "it is a folder" : "it does not exist or is not readable",
+        "supple init writes a case to start from");
   return read_case_text(text.str(), path, overrides);
 }
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include <sstream>
 #include <type_traits>
 
-#include "supple/core/nearest_name.hpp"
 #include "supple/io/case_file.hpp"
 
 namespace supple {
@@ -20,27 +20,34 @@ std::string toml_value(const std::string& text) {
 }
 std::string toml_value(bool value) { return value ? "true" : "false"; }
 template <class Number>
-std::string toml_value(Number value) { return fmt::format("{}", value); }
-
-/// "[Pa] Young modulus of the discs; above 0".
-template <class P>
-std::string explanation(const Field<P>& field) {
-  std::string text = field.unit.empty() ? "" : fmt::format("[{}] ", field.unit);
-  text += field.meaning;
-  if (const std::string range = describe(field.range); !range.empty()) text += "; " + range;
-  if (!field.choices.empty()) text += ": " + join_names({field.choices.begin(), field.choices.end()}, "\"");
-  return text;
+std::string toml_value(Number value) {
+  return fmt::format("{}", value);
 }
 
-/// Words of `text` in lines of at most `width` characters.
-std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+/// What explains a key, in pieces between which a line may end: the words of the meaning, the range, each
+/// choice.
+template <class P>
+std::vector<std::string> explanation(const Field<P>& field) {
+  std::vector<std::string> pieces;
+  if (!field.unit.empty()) pieces.push_back(fmt::format("[{}]", field.unit));
+  std::istringstream words{std::string(field.meaning)};
+  for (std::string word; words >> word;) pieces.push_back(word);
+  if (const std::string range = describe(field.range); !range.empty()) {
+    pieces.back() += ";";
+    pieces.push_back(range);
+  }
+  if (!field.choices.empty()) pieces.back() += ":";
+  for (const std::string_view choice : field.choices)
+    pieces.push_back(fmt::format("\"{}\"{}", choice, choice == field.choices.back() ? "" : ","));
+  return pieces;
+}
+
+/// The pieces with spaces between, in lines of at most `width` characters.
+std::vector<std::string> wrapped(const std::vector<std::string>& pieces, std::size_t width) {
   std::vector<std::string> lines{""};
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-    begin = end + 1;
+  for (const std::string& piece : pieces) {
+    if (!lines.back().empty() && lines.back().size() + 1 + piece.size() > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + piece;
   }
   return lines;
 }
@@ -52,13 +59,16 @@ constexpr std::size_t comment_column = 46, comment_width = 60;
 std::string write_case(const Case& c, CaseStyle style) {
   std::string out;
   if (style == CaseStyle::commented)
-    out = "# A case of Supple. Keys that begin with # hold their default: take the # away to change one.\n"
-          "# Numbers are in the unit in brackets, or carry their own: width = \"500 um\".\n\n";
+    out =
+        "# A case of Supple. Keys that begin with # hold their default: take the # away to change one.\n"
+        "# Numbers are in the unit in brackets, or carry their own: width = \"500 um\".\n\n";
   for_each_section(c, [&](std::string_view section, const auto& parameters) {
     if (!section.empty()) out += fmt::format("\n[{}]\n", section);
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>()) {
-      const std::string value = std::visit([&](auto member) { return toml_value(parameters.*member); }, field.member);
-      const std::string key = section.empty() ? std::string(field.name) : fmt::format("{}.{}", section, field.name);
+      const std::string value =
+          std::visit([&](auto member) { return toml_value(parameters.*member); }, field.member);
+      const std::string key =
+          section.empty() ? std::string(field.name) : fmt::format("{}.{}", section, field.name);
       std::string line = fmt::format("{} = {}", field.name, value);
       if (style == CaseStyle::commented) {
         if (!c.is_given(key)) line = "# " + line;

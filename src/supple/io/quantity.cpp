@@ -35,13 +35,13 @@ struct Prefix {
 };
 
 constexpr NamedUnit units[] = {
-    {"m", {0, {1, 0, 0, 0}}},    {"g", {-3, {0, 1, 0, 0}}},   {"s", {0, {0, 0, 1, 0}}},
-    {"Pa", {0, {-1, 1, -2, 0}}}, {"N", {0, {1, 1, -2, 0}}},   {"J", {0, {2, 1, -2, 0}}},
+    {"m", {0, {1, 0, 0, 0}}},    {"g", {-3, {0, 1, 0, 0}}},     {"s", {0, {0, 0, 1, 0}}},
+    {"Pa", {0, {-1, 1, -2, 0}}}, {"N", {0, {1, 1, -2, 0}}},     {"J", {0, {2, 1, -2, 0}}},
     {"Hz", {0, {0, 0, -1, 0}}},  {"degree", {0, {0, 0, 0, 1}}}, {"deg", {0, {0, 0, 0, 1}}},
     {"°", {0, {0, 0, 0, 1}}},    {"1", {0, {0, 0, 0, 0}}},
 };
-constexpr Prefix prefixes[] = {{"p", -12}, {"n", -9}, {"u", -6}, {"µ", -6}, {"μ", -6}, {"m", -3},
-                               {"c", -2},  {"k", 3},  {"M", 6},  {"G", 9}};
+constexpr Prefix prefixes[] = {{"p", -12}, {"n", -9}, {"u", -6}, {"µ", -6}, {"μ", -6},
+                               {"m", -3},  {"c", -2}, {"k", 3},  {"M", 6},  {"G", 9}};
 
 std::optional<Unit> find_unit(std::string_view name) {
   for (const NamedUnit& u : units)
@@ -141,12 +141,14 @@ double parse_quantity(std::string_view text, std::string_view unit) {
   if (written == unit && !unit.empty()) return value;
   if (unit.empty() && written == "%") return scaled_number(digits, -2);
   const auto wanted = parse_unit(unit);
-  if (!wanted || unit.empty()) throw input_error(fmt::format("\"{}\" has a unit where none is expected", text));
+  if (!wanted || unit.empty())
+    throw input_error(fmt::format("\"{}\" has a unit where none is expected", text));
   if (written.empty()) throw input_error(fmt::format("\"{}\" is a string without a unit", text));
   const auto found = parse_unit(written);
   if (!found) throw input_error(fmt::format("\"{}\" has the unknown unit '{}'", text, written));
   if (found->dimension != wanted->dimension)
-    throw input_error(fmt::format("\"{}\" has the wrong dimension, '{}' is no multiple of {}", text, written, unit));
+    throw input_error(
+        fmt::format("\"{}\" has the wrong dimension, '{}' is no multiple of {}", text, written, unit));
   return scaled_number(digits, found->power - wanted->power);
 }
 
