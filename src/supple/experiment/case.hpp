@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "supple/core/field.hpp"
 
@@ -123,8 +124,11 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("output", c.output);
 }
 
-/// Checks that need several keys at once (packing that cannot be reached, law that diverges, ...). Throws input
-/// errors; ranges of single keys are checked where the case is read.
+/// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).
+/// Throws one input error, a line for each problem; ranges of single keys are checked where the case is read.
 void check(const Case& c);
+
+/// What is allowed but was probably not meant: keys without effect, protocols that cannot be evaluated.
+std::vector<std::string> find_doubts(const Case& c);
 
 }  // namespace supple

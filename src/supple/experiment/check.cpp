@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/case.hpp"
+#include "supple/model/discs.hpp"
+
+namespace supple {
+
+namespace {
+
+using Problems = std::vector<std::string>;
+
+void add(Problems& problems, const Case& c, const std::string& what, const std::string& why,
+         const std::string& to_do) {
+  const std::string place = c.origin.empty() ? "" : c.origin + ": ";
+  problems.push_back(input_error(place + what, why, to_do).what());
+}
+
+/// A disc must not meet itself, nor a neighbour on two sides, across the periodic boundary.
+void check_packing(const Case& c, Problems& problems) {
+  const Particles& p = c.particles;
+  const DiscSpec spec{p.discs, p.packing_fraction, p.bimodal_factor, c.material.density};
+  const std::vector<double> radii =
+      bimodal_radii(spec, c.box.width * c.box.height, static_cast<std::uint64_t>(c.general.seed));
+  const double diameter = 2 * *std::max_element(radii.begin(), radii.end());
+  const double shortest = std::min(c.box.width, c.box.height);
+  if (diameter <= 0.5 * shortest) return;
+  add(problems, c,
+      fmt::format("particles.packing_fraction = {} cannot be reached with N = {}", p.packing_fraction,
+                  p.discs),
+      fmt::format("the largest disc would be {:.3g} m across, more than half of the cell's {:.3g} m, and "
+                  "meet itself or "
+                  "a neighbour twice across the boundary",
+                  diameter, shortest),
+      "raise particles.N or lower particles.packing_fraction");
+}
+
+void check_material(const Case& c, Problems& problems) {
+  const Material& m = c.material;
+  if (m.elastic_law == "expression" && m.elastic_expression.empty())
+    add(problems, c, "material.elastic_law = \"expression\" without material.elastic_expression",
+        "there is no law to use", "give one, for example elastic_expression = \"k*(d0-d)*d0/d\"");
+  if (m.elastic_law == "plateau" && m.plateau_begin >= m.plateau_end)
+    add(problems, c,
+        fmt::format("material.plateau_begin = {} is not below plateau_end = {}", m.plateau_begin,
+                    m.plateau_end),
+        "compression runs from plateau_end down to plateau_begin", "exchange them or move them apart");
+}
+
+void check_shear(const Case& c, Problems& problems) {
+  if (c.general.experiment == "oscillatory_shear" && c.box.boundary != "lees_edwards")
+    add(problems, c, fmt::format("box.boundary = \"{}\" cannot be sheared", c.box.boundary),
+        "oscillatory_shear strains the cell",
+        "set boundary = \"lees_edwards\", or experiment = \"dynamics\"");
+  if (c.general.experiment == "dynamics" && c.box.boundary != "lees_edwards" && c.shear.rate != "0")
+    add(problems, c,
+        fmt::format("shear.rate = \"{}\" in a cell with boundary = \"{}\"", c.shear.rate, c.box.boundary),
+        "only Lees-Edwards boundaries can be sheared", "set boundary = \"lees_edwards\" or rate = \"0\"");
+  if (c.general.experiment == "dynamics" && c.time.steps == 0)
+    add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
+}
+
+}  // namespace
+
+void check(const Case& c) {
+  Problems problems;
+  check_material(c, problems);
+  check_shear(c, problems);
+  if (c.initial.state.empty()) check_packing(c, problems);
+  if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
+}
+
+std::vector<std::string> find_doubts(const Case& c) {
+  std::vector<std::string> doubts;
+  const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
+    if (c.is_given(std::string(key)) && !used)
+      doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
+  };
+  const bool links = c.particles.permanent_links, voronoi = c.particles.cut == "voronoi";
+  const bool shear = c.general.experiment == "oscillatory_shear";
+  for (const auto key :
+       {"particles.cut", "particles.cut_lines", "particles.edge_fuzziness", "particles.cut_top_bottom",
+        "particles.remove_link_fraction", "material.tensile_law", "material.tensile_range",
+        "material.interface_reenforcement_central", "material.interface_reenforcement_tangential"})
+    idle(key, links, "particles.permanent_links = true");
+  idle("particles.edge_fuzziness", voronoi || !links, "particles.cut = \"voronoi\"");
+  idle("particles.avoid_horizontal_angle_degree", !voronoi, "particles.cut = \"lines\"");
+  idle("material.elastic_expression", c.material.elastic_law == "expression",
+       "material.elastic_law = \"expression\"");
+  for (const auto key : {"material.plateau_begin", "material.plateau_end", "material.plateau_slope"})
+    idle(key, c.material.elastic_law == "plateau", "material.elastic_law = \"plateau\"");
+  idle("material.tensile_range", c.material.tensile_law == "exponential" || !links,
+       "material.tensile_law = \"exponential\"");
+  for (const auto key : {"shear.amplitude", "shear.relative_frequency", "shear.periods", "shear.pre_periods",
+                         "shear.post_periods"})
+    idle(key, shear, "experiment = \"oscillatory_shear\"");
+  for (const auto key : {"shear.rate", "time.steps"}) idle(key, !shear, "experiment = \"dynamics\"");
+  idle("output.image_format", c.output.images > 0, "output.images");
+  if (c.initial.state.empty() && c.particles.packing_fraction < 0.84)
+    doubts.push_back(fmt::format(
+        "particles.packing_fraction = {} is below jamming (about 0.84): expect no modulus at rest",
+        c.particles.packing_fraction));
+  if (shear && c.shear.pre_periods == 0)
+    doubts.push_back("shear.pre_periods = 0: drift and offset cannot be removed");
+  if (shear && c.shear.periods < 2)
+    doubts.push_back(
+        fmt::format("shear.periods = {}: the first period is transient and there is no second to demodulate",
+                    c.shear.periods));
+  return doubts;
+}
+
+}  // namespace supple

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/case.hpp"
+
+namespace supple {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string error_of(const Case& c) {
+  try {
+    check(c);
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(Check, TheDefaultsAreSoundAndRaiseNoDoubt) {
+  EXPECT_EQ(error_of(Case{}), "no error");
+  EXPECT_THAT(find_doubts(Case{}), IsEmpty());
+}
+
+TEST(Check, DiscsLargerThanHalfOfTheCell) {
+  Case c;
+  c.origin = "c.toml";
+  c.particles.discs = 4;
+  EXPECT_EQ(error_of(c),
+            "c.toml: particles.packing_fraction = 1.5 cannot be reached with N = 4 (the largest disc would "
+            "be 0.000398 m "
+            "across, more than half of the cell's 0.0005 m, and meet itself or a neighbour twice across the "
+            "boundary); "
+            "raise particles.N or lower particles.packing_fraction");
+  c.initial.state = "given.json";
+  EXPECT_EQ(error_of(c), "no error");
+}
+
+TEST(Check, LawsThatLackTheirKeys) {
+  Case c;
+  c.material.elastic_law = "expression";
+  EXPECT_THAT(error_of(c), HasSubstr("without material.elastic_expression"));
+  c.material.elastic_law = "plateau";
+  c.material.plateau_begin = 0.9;
+  EXPECT_THAT(error_of(c), HasSubstr("plateau_begin = 0.9 is not below plateau_end = 0.8"));
+}
+
+TEST(Check, OnlyLeesEdwardsCellsCanBeSheared) {
+  Case c;
+  c.box.boundary = "fixed";
+  EXPECT_THAT(error_of(c), HasSubstr("box.boundary = \"fixed\" cannot be sheared"));
+  c.general.experiment = "dynamics";
+  c.time.steps = 1;
+  EXPECT_EQ(error_of(c), "no error");
+  c.shear.rate = "10*cos(t)";
+  EXPECT_THAT(error_of(c), HasSubstr("shear.rate = \"10*cos(t)\" in a cell with boundary = \"fixed\""));
+}
+
+TEST(Check, DynamicsNeedsItsSteps) {
+  Case c;
+  c.general.experiment = "dynamics";
+  EXPECT_THAT(error_of(c), HasSubstr("time.steps is missing"));
+}
+
+TEST(Check, EveryProblemIsNamed) {
+  Case c;
+  c.box.boundary = "fixed";
+  c.material.elastic_law = "expression";
+  EXPECT_THAT(error_of(c), HasSubstr("elastic_expression"));
+  EXPECT_THAT(error_of(c), HasSubstr("\nbox.boundary"));
+}
+
+TEST(Check, KeysWithoutEffectRaiseDoubts) {
+  Case c;
+  c.given = {"material.plateau_slope", "time.steps", "particles.cut_lines"};
+  c.particles.permanent_links = false;
+  EXPECT_THAT(find_doubts(c),
+              Contains("material.plateau_slope has no effect without material.elastic_law = \"plateau\""));
+  EXPECT_THAT(find_doubts(c), Contains("time.steps has no effect without experiment = \"dynamics\""));
+  EXPECT_THAT(find_doubts(c),
+              Contains("particles.cut_lines has no effect without particles.permanent_links = true"));
+}
+
+TEST(Check, ProtocolsThatCannotBeEvaluatedRaiseDoubts) {
+  Case c;
+  c.shear.periods = 1;
+  c.shear.pre_periods = 0;
+  c.particles.packing_fraction = 0.5;
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("shear.periods = 1")));
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("shear.pre_periods = 0")));
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("below jamming")));
+}
+
+}  // namespace
+}  // namespace supple
