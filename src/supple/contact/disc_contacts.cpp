@@ -1,17 +1,10 @@
 #include "supple/contact/disc_contacts.hpp"
 
-#include "supple/core/random.hpp"
+#include "supple/contact/coincident.hpp"
 
 namespace supple {
 
 namespace {
-
-/// Direction between discs whose centres coincide: arbitrary, but the same at every call.
-Vec2 arbitrary_direction(std::int32_t i, std::int32_t j) {
-  RandomStream stream(0, Purpose::coincident_normal, (static_cast<std::uint64_t>(i) << 32) | static_cast<std::uint32_t>(j));
-  const double angle = stream.uniform(0, 6.283185307179586);
-  return {std::cos(angle), std::sin(angle)};
-}
 
 /// Sums of one chunk of sites.
 struct ChunkSum {
