@@ -63,6 +63,16 @@ TEST(Demodulate, FollowsThePublishedPackage) {
   }
 }
 
+TEST(Demodulate, PublishedSumsAreClosedAtBothEnds) {
+  const Protocol p{1, 0.2, 1, 1, 1};
+  const std::vector<double> times = even_times(p, 1.0 / 64);
+  std::vector<double> stress(times.size(), 100);
+  // The cosines of 65 samples sum up to 1, their squares to 33.
+  EXPECT_NEAR(demodulate(times, stress, p, DriftCorrection::published).loss, 100 / 33.0 / 0.2, 1e-9);
+  stress[64] += 50;  // the start of shear is no part of the rest before it
+  EXPECT_EQ(demodulate(times, stress, p, DriftCorrection::published).drift, 0);
+}
+
 TEST(Demodulate, FindsEverythingThatASignalHolds) {
   const Protocol p{2, 0.2, 2, 3, 1};
   const Signal signal{1000, 200, 100, 10, 7, 0.6};

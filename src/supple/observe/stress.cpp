@@ -1,5 +1,7 @@
 #include "supple/observe/stress.hpp"
 
+#include "supple/observe/summary.hpp"
+
 namespace supple {
 namespace {
 
@@ -63,10 +65,11 @@ void add_sites(const System<2>& system, const Evaluation<2>& evaluation, StressT
   double rotational_energy = 0;
   for (int i = 0; i < state.size(); ++i) {
     if (state.mobility[i] != Mobility::free) continue;
-    const Vec2 peculiar = state.velocity[i] - system.box.flow_velocity(state.position[i]);
+    const Vec2 peculiar = synchronised_velocity(system, evaluation, i) - system.box.flow_velocity(state.position[i]);
     s.linear_acceleration.add_outer(1, evaluation.force[i], state.position[i] - centre);
     s.otsuki.add_outer(-state.mass[i], peculiar, peculiar);
-    rotational_energy += 0.5 * state.inertia[i] * (state.spin[i] * state.spin[i]);
+    const double spin = synchronised_spin(system, evaluation, i);
+    rotational_energy += 0.5 * state.inertia[i] * (spin * spin);
   }
   s.centrifugal[0][0] = s.centrifugal[1][1] = -rotational_energy;
 }

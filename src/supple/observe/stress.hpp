@@ -30,6 +30,8 @@ struct StressTensors {
   /// viscous, and two visits of the tangential force, on each free disc of a contact.
   int pair_register = 0, external_register = 0;
 
+  /// Mean normal stress of the sample.
+  double pressure() const { return 0.5 * (overall[0][0] + overall[1][1]); }
   /// Shear stresses tau = -sigma_xy (S1-25).
   double shear_internal() const { return -overall[0][1]; }
   double shear_external() const { return -external[0][1]; }

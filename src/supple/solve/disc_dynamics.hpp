@@ -36,8 +36,4 @@ void set_strain_rate(System<2>& system, double rate);
 /// Discs that touch a plate join it; discs that touch a wall of a cell that is not periodic are fixed.
 void capture_at_boundaries(System<2>& system, Plates plates);
 
-/// v(t) from v(t - lag/2): velocities at the instant of the forces, for kinetic energy and momenta.
-Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
-double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
-
 }  // namespace supple

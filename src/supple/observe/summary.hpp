@@ -1,0 +1,40 @@
+/// A system in a few numbers: momenta, energies, contacts, packing.
+#pragma once
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Velocity and spin of site i at the instant of the forces. A leapfrog keeps them half a step earlier (System::lag).
+Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
+double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
+
+/// linear: sum m v; angular: sum m (x v_y - y v_x) + I w about the corner of the cell. All sites.
+struct Momenta {
+  Vec2 linear{};
+  double angular = 0;
+};
+Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
+
+/// Kinetic energies of the free sites: of translation, of translation relative to the affine flow, and of spin
+/// [energy]; plate discs are moved from outside, but spin.
+struct KineticEnergy {
+  double translation = 0, peculiar = 0, spin = 0;
+  double total() const { return translation + spin; }
+};
+KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation);
+
+/// Active pairs by state; links count whether or not their discs touch.
+struct ContactCounts {
+  int stick = 0, slip = 0, links = 0;
+  int total() const { return stick + slip + links; }
+};
+ContactCounts contact_counts(const Evaluation<2>& evaluation);
+
+/// Mean number of contacts and links of a site.
+double coordination(const System<2>& system, const Evaluation<2>& evaluation);
+
+/// Area of all discs over the area of the cell; overlaps count twice.
+double packing_fraction(const System<2>& system);
+
+}  // namespace supple
