@@ -1,5 +1,6 @@
 /// What happens to a prepared suspension: rest, shear gamma = A sin(2 pi f t), rest (physics section 7.2).
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>

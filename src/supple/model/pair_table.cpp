@@ -2,6 +2,20 @@
 
 namespace supple {
 
+void set_history_width(PairTable& pairs, int width) {
+  const std::vector<double> old = pairs.history;
+  const int from = pairs.width;
+  pairs.width = width;
+  pairs.history.resize(static_cast<std::size_t>(pairs.size()) * width);
+  for (int row = 0; row < pairs.size(); ++row) {
+    double sum = 0;
+    for (int w = 0; w < from; ++w) sum += old[static_cast<std::size_t>(row) * from + w];
+    for (int w = 0; w < width; ++w)
+      pairs.history[static_cast<std::size_t>(row) * width + w] =
+          from == width ? old[static_cast<std::size_t>(row) * from + w] : sum / from;
+  }
+}
+
 void index_rows(PairTable& pairs, int sites) {
   pairs.begin.assign(static_cast<std::size_t>(sites) + 1, 0);
   for (std::int32_t i : pairs.first) ++pairs.begin[i + 1];

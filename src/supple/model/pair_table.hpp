@@ -32,6 +32,10 @@ struct PairTable {
   }
 };
 
+/// Makes room for that many numbers of history a row: from two to one the mean is kept (the two elongations of the
+/// published package), from one to two the number is repeated.
+void set_history_width(PairTable& pairs, int width);
+
 /// Fills `begin` from `first`, for that many sites.
 void index_rows(PairTable& pairs, int sites);
 

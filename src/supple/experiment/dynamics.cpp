@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include "supple/core/error.hpp"
+#include "supple/core/expression.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/frame.hpp"
+#include "supple/experiment/microgel.hpp"
+#include "supple/experiment/stress_table.hpp"
+#include "supple/experiment/suspension.hpp"
+
+namespace supple {
+
+namespace {
+
+std::int64_t step_count(const Case& c, const InitialState* initial) {
+  if (c.time.steps > 0 || c.is_given("time.steps")) return c.time.steps;
+  if (initial)
+    if (const auto at = initial->protocol.find("steps"); at != initial->protocol.end()) return std::llround(at->second);
+  throw input_error("[time] steps is missing", "dynamics needs the number of steps", "set time.steps");
+}
+
+/// Factor per step: the state's own where the user gave none.
+double damping_per_step(const Case& c, const InitialState* initial, double of_case) {
+  if (initial && !c.is_given("shear.cool_factor"))
+    if (const auto at = initial->protocol.find("cool_factor"); at != initial->protocol.end()) return at->second;
+  return of_case;
+}
+
+}  // namespace
+
+std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
+  const MicrogelConstants k = derive_constants(c, initial);
+  Expression(c.shear.rate, {"t"}, "[shear] rate");
+  return {
+      {{"spring_constant", "N/m per m", "k = (pi/8) E (S1-8)"}, k.k},
+      {{"time_constant", "s", "tau = sqrt(m/k)"}, k.tau},
+      {{"stable_time_step", "s", "stability limit"}, k.stable_step},
+      {{"time_step", "s", "time step"}, k.time_step},
+      {{"steps", "", "steps"}, static_cast<double>(step_count(c, initial))},
+  };
+}
+
+void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
+  const std::int64_t steps = step_count(c, initial);
+  Suspension s = make_suspension(c, initial);
+  if (initial) adopt_state(s, c, *initial); else prepare(s, c, recorder);
+  const double damping = damping_per_step(c, initial, s.damping);
+  const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
+
+  recorder.begin(make_run_info(s.system, s.units));
+  for (const Derived& d : derive_dynamics(c, initial)) recorder.value("constants", d.name, d.value);
+  StressTable table(recorder, s.units, c.output.tensors);
+  const std::int64_t every = c.output.frames > 0 ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
+    const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
+    table.append(s.system, stress_tensors(s.system, evaluation, s.units.stress()));
+    if (i % every == 0) recorder.frame(make_frame(s.system, evaluation));
+    s.stepper->advance(s.system, rates, s.time_step, damping);
+    if (i % 256 == 0) recorder.progress("dynamics", i, steps);
+    if (!recorder.stop_requested()) continue;
+    recorder.final_state(s.system, evaluation);
+    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+  }
+  const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
+  recorder.final_state(s.system, s.stepper->evaluate(s.system, rates));
+}
+
+}  // namespace supple

@@ -1,0 +1,49 @@
+/// What a run starts from when a state file is given.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+
+#include "supple/force/evaluation.hpp"
+#include "supple/model/system.hpp"
+#include "supple/model/units.hpp"
+
+namespace supple {
+
+/// Constants of the contact law, in the units of the state that they come with; unset: not in the file, so the case
+/// says. A run records them in the group `material_group`, so that its continuation has the same bits.
+struct MaterialConstants {
+  std::optional<double> k, nu, k_t, nu_t;  ///< springs and viscosities of free contacts, central and tangential
+  std::optional<double> mu, central_repulsion_coefficient;
+  std::optional<double> permanent_ratio_central, permanent_ratio_tangential;  ///< link over contact stiffness
+  std::optional<bool> keep_viscosity_coefficients_constant;
+};
+inline constexpr auto material_group = "material";
+
+/// visit(name, constant) for each; the names are those of the files.
+template <class Constants, class Visit>
+void for_each_constant(Constants& c, Visit&& visit) {
+  visit("k", c.k);
+  visit("nu", c.nu);
+  visit("k_t", c.k_t);
+  visit("nu_t", c.nu_t);
+  visit("mu", c.mu);
+  visit("central_repulsion_coefficient", c.central_repulsion_coefficient);
+  visit("permanent_ratio_central", c.permanent_ratio_central);
+  visit("permanent_ratio_tangential", c.permanent_ratio_tangential);
+  visit("keep_viscosity_coefficients_constant", c.keep_viscosity_coefficients_constant);
+}
+
+struct InitialState {
+  Units units;
+  System<2> system;
+  std::optional<Evaluation<2>> evaluation;  ///< forces and torques carried over; no pair forces
+  MaterialConstants material;
+  /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre, periods,
+  /// post.
+  std::map<std::string, double> protocol;
+  std::optional<bool> applying_shear;  ///< whether discs at the plates are captured by them
+  bool reset_force_each_step = true;   ///< false: forces on discs that do not move pile up, as in the package
+};
+
+}  // namespace supple

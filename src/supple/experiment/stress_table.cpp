@@ -1,0 +1,72 @@
+#include "supple/experiment/stress_table.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace supple {
+
+namespace {
+
+using NamedTensor = std::pair<std::string_view, Mat2 StressTensors::*>;
+
+/// Tensors by the names of files; Table S2-3, and the two that do not depend on where the cell is cut.
+constexpr NamedTensor tensor_columns[] = {
+    {"love_weber", &StressTensors::love_weber},
+    {"external", &StressTensors::external},
+    {"linear_acceleration", &StressTensors::linear_acceleration},
+    {"otsuki", &StressTensors::otsuki},
+    {"tangential_torque", &StressTensors::tangential_torque},
+    {"internal_torque", &StressTensors::internal_torque},
+    {"centrifugal", &StressTensors::centrifugal},
+    {"overall", &StressTensors::overall},
+    {"love_weber_periodic", &StressTensors::love_weber_periodic},
+    {"virial", &StressTensors::virial},
+};
+
+std::vector<Column> columns(bool tensors) {
+  std::vector<Column> out{
+      {"t", "s", "time since the start of the protocol"},
+      {"strain", "", "accumulated shear strain"},
+      {"strain_rate", "1/s", "shear rate"},
+      {"shear_stress_external", "Pa", "tau from external forces (S1-16, S1-25)"},
+      {"shear_stress_internal", "Pa", "tau from the overall tensor (S1-24, S1-25)"},
+      {"shear_stress_periodic", "Pa", "tau from Love-Weber with contacts across x internal"},
+      {"shear_stress_virial", "Pa", "tau from the virial of all contacts"},
+      {"pair_register", "", "elementary internal forces, as the published package counts them"},
+      {"external_register", "", "elementary external forces, as the published package counts them"},
+  };
+  if (!tensors) return out;
+  for (const auto& [name, tensor] : tensor_columns)
+    for (const char* component : {"_00", "_01", "_10", "_11"})
+      out.push_back({std::string(name) + component, "Pa", "component of the stress tensor, compression positive"});
+  return out;
+}
+
+}  // namespace
+
+StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors)
+    : recorder_(recorder), units_(units), tensors_(tensors) {
+  recorder_.declare("stress", columns(tensors));
+}
+
+void StressTable::append(const System<2>& system, const StressTensors& s) {
+  const double t = system.time * units_.time;
+  row_ = {t, system.box.strain, system.box.strain_rate / units_.time, s.shear_external(), s.shear_internal(),
+          s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
+          static_cast<double>(s.external_register)};
+  if (tensors_)
+    for (const auto& [name, tensor] : tensor_columns) {
+      const Mat2& m = s.*tensor;
+      row_.insert(row_.end(), {m[0][0], m[0][1], m[1][0], m[1][1]});
+    }
+  recorder_.append("stress", row_);
+  time_.push_back(t);
+  internal_.push_back(s.shear_internal());
+  external_.push_back(s.shear_external());
+  periodic_.push_back(s.shear_periodic());
+  virial_.push_back(s.shear_virial());
+  pressure_.push_back(0.5 * (s.overall[0][0] + s.overall[1][1]));
+}
+
+}  // namespace supple

@@ -1,0 +1,32 @@
+/// The table "stress": one row per step, at the instant of the forces.
+#pragma once
+#include <vector>
+
+#include "supple/experiment/recorder.hpp"
+#include "supple/model/units.hpp"
+#include "supple/observe/stress.hpp"
+
+namespace supple {
+
+/// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
+class StressTable {
+ public:
+  /// with `tensors`, every component of every tensor, else the shear stresses alone.
+  StressTable(Recorder& recorder, const Units& units, bool tensors);
+  void append(const System<2>& system, const StressTensors& stress);
+
+  const std::vector<double>& time() const { return time_; }
+  const std::vector<double>& internal() const { return internal_; }
+  const std::vector<double>& external() const { return external_; }
+  const std::vector<double>& periodic() const { return periodic_; }
+  const std::vector<double>& virial() const { return virial_; }
+  const std::vector<double>& pressure() const { return pressure_; }
+
+ private:
+  Recorder& recorder_;
+  Units units_;
+  bool tensors_;
+  std::vector<double> row_, time_, internal_, external_, periodic_, virial_, pressure_;
+};
+
+}  // namespace supple

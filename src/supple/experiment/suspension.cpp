@@ -1,0 +1,94 @@
+#include "supple/experiment/suspension.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/microgel.hpp"
+#include "supple/experiment/relaxation.hpp"
+#include "supple/model/convert.hpp"
+#include "supple/model/crosslink.hpp"
+#include "supple/model/discs.hpp"
+
+namespace supple {
+
+namespace {
+
+Box<2> make_box(const Case& c, const Units& units) {
+  Box<2> box;
+  box.length = {c.box.width / units.length, c.box.height / units.length};
+  if (c.box.boundary == "fixed") box.periodic = {false, false};
+  return box;
+}
+
+CrosslinkSpec crosslink_spec(const Case& c) {
+  const Particles& p = c.particles;
+  return {p.cut == "lines" ? CutKind::lines : CutKind::voronoi,
+          p.cut_lines,
+          p.edge_fuzziness,
+          p.avoid_horizontal_angle_degree * std::numbers::pi / 180,
+          p.avoid_height_spanning_particles,
+          p.max_cut_tries,
+          p.cut_top_bottom,
+          p.remove_link_fraction};
+}
+
+/// The shear stress amplitude to expect, A E/20: between free discs (E/40 at A = 0.2) and a bulk scaffold (E/5).
+double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
+
+}  // namespace
+
+bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
+
+Suspension make_suspension(const Case& c, const InitialState* initial) {
+  const MicrogelConstants k = derive_constants(c, initial);
+  Suspension s;
+  s.time_step = k.time_step;
+  s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
+  s.stepper = make_dynamics(c, initial, k);
+  if (initial) return s;
+  const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor, c.material.density};
+  s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
+  return s;
+}
+
+void adopt_state(Suspension& s, const Case& c, const InitialState& initial) {
+  s.system = initial.system;
+  convert(s.system, initial.units, s.units);
+  set_history_width(s.system.pairs, 1);
+  const bool plates = initial.applying_shear.value_or(true);
+  s.stepper->set_plates(plates || c.is_given("box.plates") ? plates_of(c) : Plates::none);
+}
+
+void prepare(Suspension& s, const Case& c, Recorder& recorder) {
+  recorder.declare("preparation", {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
+  DiscDynamics& dynamics = static_cast<DiscDynamics&>(*s.stepper);
+  RelaxationSpec spec;
+  spec.time_step = s.time_step;
+  spec.tolerance = c.preparation.stress_tolerance * expected_stress(c);
+  spec.most_steps = std::max<std::int64_t>(
+      1000, std::llround(c.preparation.max_relaxation_periods / (s.time_step * derive_constants(c, nullptr).frequency)));
+  const auto relax_until_still = [&](const char* phase, bool rough) {
+    relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
+    remove_drift(s.system);
+  };
+
+  const double friction = dynamics.friction();
+  dynamics.set_friction(0);
+  relax_until_still("relax without friction", true);
+  dynamics.set_friction(friction);
+  relax_until_still("relax with friction", false);
+  if (c.particles.permanent_links) {
+    dynamics.evaluate(s.system, {});
+    crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
+    dynamics.invalidate();
+    relax_until_still("relax crosslinked particles", false);
+  }
+  dynamics.set_plates(plates_of(c));
+  capture_at_boundaries(s.system, plates_of(c));
+  relax_until_still("relax between plates", false);
+  s.system.time = 0;
+  s.system.step = 0;
+}
+
+}  // namespace supple
