@@ -5,7 +5,7 @@
 
 #include "supple/contact/laws/list.hpp"
 #include "supple/core/parallel.hpp"
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {

@@ -1,7 +1,7 @@
 /// Purely repulsive plates at y = 0 and y = Ly, an alternative to plates that take discs with them.
 #pragma once
 #include "supple/contact/laws/list.hpp"
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {

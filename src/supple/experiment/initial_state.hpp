@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 #include "supple/model/units.hpp"
 

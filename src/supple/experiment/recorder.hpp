@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 #include "supple/model/units.hpp"
 

@@ -1,6 +1,6 @@
 /// Stress tensors of a sheared cell of discs.
 #pragma once
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {

@@ -1,6 +1,6 @@
 /// A system in a few numbers: momenta, energies, contacts, packing.
 #pragma once
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {

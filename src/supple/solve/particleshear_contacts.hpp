@@ -1,7 +1,7 @@
 /// The two passes of a particleShear step over the contacts: forces, then elongations while the discs move.
 #pragma once
 #include "supple/contact/laws/particleshear.hpp"
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple::particleshear {

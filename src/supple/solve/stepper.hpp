@@ -1,6 +1,6 @@
 /// How a system moves in time: one interface, so that an experiment reads the same in both fidelities.
 #pragma once
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
