@@ -76,12 +76,12 @@ TEST(JumpCorrection, TakesOutTheJumpsAtThePeriodAlongTheFlow) {
 TEST(JumpCorrection, TakesOutTheJumpsOfAShearedCell) {
   const Steps s = carried({0.1, 0.5}, 0.37, 80, false);
   EXPECT_GT(s.published, 1e-3);
-  EXPECT_LT(s.corrected, 1e-5);
+  EXPECT_LT(s.corrected, 3e-5);
 }
 
 TEST(JumpCorrection, JumpsThereAndBackCancelUnderConstantForces) {
   EXPECT_NEAR(carried({0.5, 0}, 0, 120, true).last_removed, 0, 1e-15);
-  EXPECT_GT(std::abs(carried({0.5, 0}, 0, 32, false).last_removed), 1e-3);  // half-way across
+  EXPECT_GT(std::abs(carried({0.5, 0}, 0, 38, false).last_removed), 1e-3);  // half-way across
 }
 
 TEST(JumpCorrection, LeavesASeriesWithoutCrossingsAlone) {
