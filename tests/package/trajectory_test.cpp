@@ -121,8 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "pair_LE_y_shear", "pair_free_slip_mu0.01", "pair_free_stick_mu0.5",
                       "pair_free_stickslip_k20_mu0.3_crc1", "pair_linked", "pair_linked_adjustable_keepF",
                       "pair_linked_stretch_crc1"),
-    [](const auto& info) {
-      std::string name = info.param;
+    [](const auto& param) {
+      std::string name = param.param;
       std::replace(name.begin(), name.end(), '.', '_');
       return name;
     });

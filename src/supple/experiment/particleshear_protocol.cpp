@@ -1,0 +1,150 @@
+#include "supple/experiment/particleshear_protocol.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+void reject_what_the_package_lacks(const Case& c) {
+  const auto reject = [](const std::string& key, const std::string& value, const std::string& instead) {
+    throw input_error(key + " = \"" + value + "\" with physics = \"particleshear-1.0.2\"", "the package does not have it",
+                      "use " + instead + ", or physics = \"documented\"");
+  };
+  const Material& m = c.material;
+  if (m.elastic_law == "hertz" || m.elastic_law == "expression")
+    reject("material.elastic_law", m.elastic_law, "\"divergent\", \"linear\" or \"plateau\"");
+  if (c.is_given("material.slip") && m.slip != "reset") reject("material.slip", m.slip, "\"reset\"");
+  if (c.is_given("material.lever_arm") && m.lever_arm != "radius") reject("material.lever_arm", m.lever_arm, "\"radius\"");
+  if (c.box.boundary != "lees_edwards") reject("box.boundary", c.box.boundary, "\"lees_edwards\"");
+  if (c.box.plates == "repulsive") reject("box.plates", c.box.plates, "\"capture\"");
+}
+
+ParticleShearConstants contact_constants(const Material& m, const ParticleShearScales& scales) {
+  const double central = m.interface_reenforcement_central, tangential = m.interface_reenforcement_tangential;
+  const double share = m.relative_transversal_link_strength;
+  const double viscosity = m.relative_viscosity * scales.k * scales.tau;
+  const bool keep = m.keep_viscosity_coefficients_constant;
+  ParticleShearConstants p;
+  p.k = scales.k * central;
+  p.k_t = scales.k * share * tangential;
+  p.nu = viscosity * (keep ? 1 : central);
+  p.nu_t = viscosity * share * (keep ? 1 : tangential);
+  p.mu = m.friction;
+  p.central_repulsion_coefficient = m.elastic_law == "linear" ? 0 : m.central_repulsion_coefficient;
+  p.permanent_ratio_central = 1 / central;
+  p.permanent_ratio_tangential = 1 / tangential;
+  p.keep_viscosity_coefficients_constant = keep;
+  p.elastic = m.elastic_law == "plateau" ? ParticleShearElastic::plateau : ParticleShearElastic::divergent;
+  p.tensile = m.tensile_law == "exponential" ? ParticleShearTensile::exponential : ParticleShearTensile::linear;
+  p.plateau_begin = m.plateau_begin;
+  p.plateau_end = m.plateau_end;
+  p.plateau_slope = m.plateau_slope;
+  p.tensile_range = m.tensile_range;
+  return p;
+}
+
+void choose_time_steps(const Case& c, ParticleShearRun& run) {
+  const double mu = c.material.friction, viscosity = c.material.relative_viscosity, amplitude = c.shear.amplitude;
+  const double transversal = c.material.relative_transversal_link_strength;
+  const double b = c.particles.bimodal_factor, tau = run.scales.tau;
+
+  run.dt = 0.1 * tau / b;
+  if (mu <= 1 || transversal < 1) run.dt /= 2;
+  if (amplitude <= 0.05) run.dt /= 2;
+  if (mu <= 0.1 || transversal < 0.1) run.dt /= 2;
+  if (amplitude <= 0.005) run.dt /= 2;
+  if (amplitude >= 0.5) run.dt /= 2;
+
+  run.dt_max = 0.25 * tau / b;
+  if ((viscosity <= 0.1 && mu < 0.1) || transversal < 0.1 || transversal > 5) run.dt_max = 0.125 * tau / b;
+  if ((viscosity < 0.01 && mu < 0.01) || transversal < 0.01) run.dt_max = 0.04 * tau / b;
+  run.dt = std::min(run.dt, run.dt_max);
+  if (viscosity > 1) run.dt_max /= viscosity;
+
+  run.first_dt_max = (viscosity <= 0.1 ? 0.2 : 0.25) * tau / b;
+  if (c.particles.packing_fraction > 2) run.first_dt_max /= 2;
+}
+
+/// What the state's file says wins over the case, unless the user gave the key.
+void take_from_state(const Case& c, const InitialState& initial, ParticleShearRun& run) {
+  if (initial.units.name != particleshear_units().name)
+    throw input_error("a state in units \"" + initial.units.name + "\" with physics = \"particleshear-1.0.2\"",
+                      "the package computes in \"" + particleshear_units().name + "\"",
+                      "start from a state of this physics, or use physics = \"documented\"");
+  const auto take = [&](const char* key, const auto& stored, auto& value) {
+    if (stored && !c.is_given(key)) value = *stored;
+  };
+  const MaterialConstants& m = initial.material;
+  ParticleShearConstants& p = run.constants;
+  take("material.young_modulus", m.k, p.k);
+  take("material.young_modulus", m.k_t, p.k_t);
+  take("material.relative_viscosity", m.nu, p.nu);
+  take("material.relative_viscosity", m.nu_t, p.nu_t);
+  take("material.friction", m.mu, p.mu);
+  take("material.central_repulsion_coefficient", m.central_repulsion_coefficient, p.central_repulsion_coefficient);
+  take("material.interface_reenforcement_central", m.permanent_ratio_central, p.permanent_ratio_central);
+  take("material.interface_reenforcement_tangential", m.permanent_ratio_tangential, p.permanent_ratio_tangential);
+  take("material.keep_viscosity_coefficients_constant", m.keep_viscosity_coefficients_constant,
+       p.keep_viscosity_coefficients_constant);
+
+  const auto number = [&](const char* name) {
+    const auto found = initial.protocol.find(name);
+    return found == initial.protocol.end() ? std::optional<double>{} : found->second;
+  };
+  take("time.time_step", number("dt"), run.dt);
+  take("shear.relative_frequency", number("f"), run.frequency);
+  take("shear.amplitude", number("amplitude"), run.amplitude);
+  take("shear.pre_periods", number("pre"), run.pre_periods);
+  take("shear.periods", number("periods"), run.periods);
+  take("shear.post_periods", number("post"), run.post_periods);
+}
+
+}  // namespace
+
+ParticleShearScales particleshear_scales(int discs, double area, double packing_fraction, double young_modulus,
+                                         double density, double size_ratio) {
+  const double mean_square = (size_ratio + 1 / size_ratio) / 2;
+  const Units units = particleshear_units();
+  ParticleShearScales s;
+  s.radius = std::sqrt(area * packing_fraction / discs / pi / mean_square);
+  s.mass = density / units.density() * pi * s.radius * s.radius;
+  s.k = pi / 8 * young_modulus / units.stiffness();
+  s.tau = std::sqrt(s.mass / s.k) / std::sqrt(size_ratio);
+  return s;
+}
+
+double ParticleShearRun::rate_at(std::int64_t step, double time) const {
+  const double i = static_cast<double>(step);
+  if (i < pre_periods / frequency / dt || i > (periods + pre_periods) / frequency / dt) return 0;
+  return amplitude * std::cos(2 * pi * (time * frequency - pre_periods)) * 2 * pi * frequency;
+}
+
+ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial) {
+  reject_what_the_package_lacks(c);
+  const double um = particleshear_units().length;
+  ParticleShearRun run;
+  run.scales = particleshear_scales(c.particles.discs, c.box.width / um * (c.box.height / um), c.particles.packing_fraction,
+                                    c.material.young_modulus, c.material.density);
+  run.constants = contact_constants(c.material, run.scales);
+  run.frequency = c.shear.relative_frequency / run.scales.tau;
+  run.amplitude = c.shear.amplitude;
+  run.pre_periods = c.shear.pre_periods;
+  run.periods = c.shear.periods;
+  run.post_periods = c.shear.post_periods;
+  choose_time_steps(c, run);
+  run.dt *= c.time.step_factor;
+  if (c.time.time_step > 0) run.dt = c.time.time_step;
+  if (initial) take_from_state(c, *initial, run);
+
+  run.damping = std::pow(c.shear.cool_factor, 1 / (1 / run.frequency / run.dt));
+  run.steps = static_cast<std::int64_t>((run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt);
+  return run;
+}
+
+}  // namespace supple
