@@ -1,0 +1,56 @@
+/// The model's arrays of small things as flat arrays of numbers, which is how files hold them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "supple/core/vec.hpp"
+
+namespace supple {
+
+template <int Dim>
+std::span<const double> flat(const std::vector<Vec<Dim>>& vectors) {
+  static_assert(sizeof(Vec<Dim>) == Dim * sizeof(double));
+  return {reinterpret_cast<const double*>(vectors.data()), Dim * vectors.size()};
+}
+
+template <std::size_t N>
+std::span<const std::int32_t> flat(const std::vector<std::array<std::int32_t, N>>& tuples) {
+  static_assert(sizeof(std::array<std::int32_t, N>) == N * sizeof(std::int32_t));
+  return {reinterpret_cast<const std::int32_t*>(tuples.data()), N * tuples.size()};
+}
+
+/// An array of enums of one byte.
+template <class Enum>
+std::span<const std::uint8_t> codes(const std::vector<Enum>& values) {
+  static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);
+  return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size()};
+}
+
+template <int Dim>
+std::vector<Vec<Dim>> vectors_from(const std::vector<double>& numbers) {
+  std::vector<Vec<Dim>> out(numbers.size() / Dim);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (int d = 0; d < Dim; ++d) out[i][d] = numbers[Dim * i + static_cast<std::size_t>(d)];
+  return out;
+}
+
+template <std::size_t N>
+std::vector<std::array<std::int32_t, N>> tuples_from(const std::vector<std::int32_t>& numbers) {
+  std::vector<std::array<std::int32_t, N>> out(numbers.size() / N);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    for (std::size_t k = 0; k < N; ++k) out[i][k] = numbers[N * i + k];
+  return out;
+}
+
+template <class Enum>
+std::vector<Enum> enums_from(const std::vector<std::uint8_t>& values) {
+  std::vector<Enum> out;
+  out.reserve(values.size());
+  for (const std::uint8_t v : values) out.push_back(static_cast<Enum>(v));
+  return out;
+}
+
+}  // namespace supple

@@ -1,0 +1,191 @@
+#include "supple/io/file_recorder.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "supple/core/error.hpp"
+#include "supple/io/run_file.hpp"
+#include "supple/io/system_archive.hpp"
+
+namespace supple {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+/// Writes one HDF5 file under a temporary name, then gives it its name.
+template <class Write>
+void write_complete(const std::string& temporary, const std::string& path, Existing existing, Write&& write) {
+  {
+    h5::Group root = h5::create_file(temporary);
+    write(root);
+    root.flush();
+  }
+  publish_file(temporary, path, existing);
+}
+
+void append_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
+                  const std::vector<double>& rows) {
+  h5::Group table = tables.create_group(name);
+  std::vector<double> values(columns.empty() ? 0 : rows.size() / columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    h5::Object column = table.create_rows<double>(columns[c].name);
+    column.set("unit", columns[c].unit);
+    column.set("meaning", columns[c].meaning);
+    for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns.size() + c];
+    table.append_rows(columns[c].name, values);
+  }
+}
+
+/// Appends each member of the group `name` of `from`, arrays that grow, to the same in `to`.
+void merge_rows(h5::Group& to, const h5::Group& from, const std::string& name) {
+  if (!from.has(name)) return;
+  const h5::Group source = from.open_group(name);
+  h5::Group group = to.has(name) ? to.open_group(name) : to.create_group(name);
+  for (const std::string& member : source.names()) {
+    if (!group.has(member)) group.create_rows_like(source, member);
+    group.append_rows_of(source, member);
+  }
+}
+
+}  // namespace
+
+FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing, FlushSpec flush)
+    : path_(std::move(path)), folder_(partial_folder(path_)), case_(std::move(resolved)),
+      case_text_(std::move(case_text)), existing_(existing), flush_(flush), started_(Clock::now()), flushed_(started_) {
+  check_can_create(path_, existing_);
+  std::error_code error;
+  if (existing_ == Existing::replace) fs::remove_all(folder_, error);
+  if (!fs::create_directory(folder_, error)) {
+    if (error) throw file_error("cannot create " + folder_, error.message());
+    throw file_error(folder_ + " exists", "another run writes there, or was killed",
+                     "choose another name, remove it, or ask to overwrite");
+  }
+}
+
+FileRecorder::~FileRecorder() {
+  if (finished_) return;
+  try {
+    if (info_) write_segment();
+  } catch (const std::exception&) {  // what is on disk is complete; a destructor has nobody to tell
+  }
+  std::error_code error;
+  fs::remove(folder_, error);  // only where it is empty: the run never began
+}
+
+void FileRecorder::begin(const RunInfo& info) {
+  info_ = info;
+  write_segment();
+}
+
+void FileRecorder::declare(const std::string& table, const std::vector<Column>& columns) {
+  const auto [at, made] = tables_.try_emplace(table, Table{columns, {}, true});
+  if (!made) throw input_error("table '" + table + "' is declared twice");
+}
+
+void FileRecorder::append(const std::string& table, std::span<const double> row) {
+  const auto at = tables_.find(table);
+  if (at == tables_.end()) throw input_error("no table '" + table + "' was declared");
+  if (row.size() != at->second.columns.size())
+    throw input_error("a row of table '" + table + "' has " + std::to_string(row.size()) + " values, not " +
+                      std::to_string(at->second.columns.size()));
+  at->second.rows.insert(at->second.rows.end(), row.begin(), row.end());
+  count(row.size_bytes());
+}
+
+void FileRecorder::frame(const Frame& frame) {
+  frames_.push_back(frame);
+  count(frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow));
+}
+
+void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {
+  values_.push_back({group, {name, value, error}});
+}
+
+void FileRecorder::final_state(const System<2>& system, const Evaluation<2>& evaluation) {
+  final_.emplace(system, evaluation);
+}
+
+void FileRecorder::warning(const std::string& text) { warnings_.push_back(text); }
+
+/// The interval grows with the age of the run: a day makes some hundred segments, and a kill loses at most 2 %.
+void FileRecorder::count(std::size_t bytes) {
+  bytes_ += bytes;
+  const auto now = Clock::now();
+  const double interval = std::max(flush_.seconds, 0.02 * seconds_between(started_, now));
+  if (info_ && (bytes_ >= flush_.bytes || seconds_between(flushed_, now) >= interval)) write_segment();
+}
+
+void FileRecorder::write_segment() {
+  const std::string path = folder_ + "/" + segment_name(segments_);
+  write_complete(path + ".tmp", path, Existing::refuse, [&](h5::Group& root) { write_new(root); });
+  for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
+  for (auto& [name, table] : tables_) {
+    table.rows.clear();
+    table.fresh = false;
+  }
+  frames_.clear();
+  values_.clear();
+  warnings_.clear();
+  final_.reset();
+  bytes_ = 0;
+  flushed_ = Clock::now();
+  ++segments_;
+}
+
+void FileRecorder::write_new(h5::Group& root) {
+  if (segments_ == 0) write_header(root, case_, case_text_, *info_);
+  h5::Group tables = root.create_group("tables");
+  for (const auto& [name, table] : tables_)
+    if (table.fresh || !table.rows.empty()) append_table(tables, name, table.columns, table.rows);
+  append_frames(root, frames_, info_->units, contacts_);
+  for (const auto& [group, value] : values_) {
+    h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
+    if (target.has(value.name.name)) target.remove(value.name.name);
+    write_value(target, value);
+  }
+  root.write("warnings", warnings_);
+  if (final_) {
+    h5::Group state = root.create_group("final_state");
+    write_system(state, final_->first);
+    h5::Group evaluation = state.create_group("evaluation");
+    write_evaluation(evaluation, final_->second);
+  }
+}
+
+void FileRecorder::finish(const std::string& status) {
+  if (info_) write_segment();
+  finished_ = true;  // whatever the merge meets, the segments are complete
+  if (info_) merge(status);
+  std::error_code error;
+  fs::remove_all(folder_, error);
+}
+
+void FileRecorder::merge(const std::string& status) {
+  const RunFile run(folder_);
+  write_complete(folder_ + "/merged.tmp", path_, existing_, [&](h5::Group& root) {
+    write_header(root, case_, case_text_, *info_);
+    root.set("status", status);
+    h5::Group tables = root.create_group("tables");
+    std::size_t last_state = run.segments();
+    for (std::size_t s = 0; s < run.segments(); ++s) {
+      const h5::Group& segment = run.segment(s);
+      const h5::Group from = segment.open_group("tables");
+      for (const std::string& table : from.names()) merge_rows(tables, from, table);
+      merge_rows(root, segment, "frames");
+      if (segment.has("final_state")) last_state = s;
+    }
+    for (const std::string& group : run.value_groups()) {
+      h5::Group target = root.create_group(group);
+      for (const RunValue& value : run.values(group)) write_value(target, value);
+    }
+    root.write("warnings", run.warnings());
+    if (last_state < run.segments()) root.copy(run.segment(last_state), "final_state");
+  });
+}
+
+}  // namespace supple

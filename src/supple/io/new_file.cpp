@@ -1,0 +1,85 @@
+#include "supple/io/new_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folder_of(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+void sync(const std::string& path, int flags) {
+  const int file = open(path.c_str(), flags | O_CLOEXEC);
+  const bool good = file >= 0 && (fsync(file) == 0 || errno == EINVAL);
+  const int why = errno;
+  if (file >= 0) close(file);
+  if (!good) throw file_error("cannot write " + path, std::strerror(why));
+}
+
+Error exists(const std::string& path) {
+  return file_error(path + " exists", "nothing is overwritten unless asked",
+                    "choose another name, remove it, or ask to overwrite");
+}
+
+}  // namespace
+
+void check_can_create(const std::string& path, Existing existing) {
+  const std::string folder = folder_of(path);
+  if (!fs::is_directory(folder))
+    throw file_error("cannot create " + path, "there is no folder " + folder, "make the folder first");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw file_error("cannot create " + path, "folder " + folder + " is not writable");
+  if (fs::is_directory(path)) throw file_error("cannot create " + path, "it is a folder");
+  if (existing == Existing::refuse && fs::exists(fs::symlink_status(path))) throw exists(path);
+}
+
+void publish_file(const std::string& temporary, const std::string& path, Existing existing) {
+  sync(temporary, O_RDONLY);
+  const unsigned flags = existing == Existing::refuse ? RENAME_NOREPLACE : 0;
+  int result = renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, path.c_str(), flags);
+  if (result != 0 && errno == EINVAL && existing == Existing::refuse) {  // file systems without RENAME_NOREPLACE
+    result = link(temporary.c_str(), path.c_str());
+    if (result == 0) unlink(temporary.c_str());
+  }
+  if (result != 0 && errno == EEXIST) throw exists(path);
+  if (result != 0) throw file_error("cannot create " + path, std::strerror(errno));
+  sync(folder_of(path), O_RDONLY | O_DIRECTORY);
+}
+
+NewFile::NewFile(std::string path, Existing existing)
+    : path_(std::move(path)), temporary_(path_ + "." + std::to_string(getpid()) + ".tmp"), existing_(existing) {
+  check_can_create(path_, existing_);
+  file_ = std::fopen(temporary_.c_str(), "we");
+  if (!file_) throw file_error("cannot create " + path_, std::strerror(errno));
+}
+
+NewFile::~NewFile() {
+  if (!file_) return;
+  std::fclose(file_);
+  unlink(temporary_.c_str());
+}
+
+void NewFile::write(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+    throw file_error("cannot write " + path_, std::strerror(errno));
+}
+
+void NewFile::commit() {
+  if (std::fflush(file_) != 0) throw file_error("cannot write " + path_, std::strerror(errno));
+  publish_file(temporary_, path_, existing_);
+  std::fclose(file_);
+  file_ = nullptr;
+}
+
+}  // namespace supple

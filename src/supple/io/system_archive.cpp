@@ -1,0 +1,183 @@
+#include "supple/io/system_archive.hpp"
+
+#include <algorithm>
+
+#include "supple/core/error.hpp"
+#include "supple/io/array_views.hpp"
+
+namespace supple {
+namespace {
+
+/// Values per site of each array of numbers in State, by name.
+template <class AnyState, class Visit>
+void for_each_array(AnyState& state, Visit&& visit) {
+  visit("mass", state.mass);
+  visit("radius", state.radius);
+  visit("angle", state.angle);
+  visit("spin", state.spin);
+  visit("inertia", state.inertia);
+}
+
+template <class Parts, class Visit>
+void for_each_energy(Parts& parts, Visit&& visit) {
+  visit("terms", parts.terms);
+  visit("elastic", parts.elastic);
+  visit("tangential", parts.tangential);
+  visit("viscous_power", parts.viscous_power);
+  visit("tangential_viscous_power", parts.tangential_viscous_power);
+  visit("sliding_power", parts.sliding_power);
+}
+
+void expect(bool good, const h5::Group& group, const std::string& what) {
+  if (!good) throw file_error("cannot use the state in " + group.where(), what, "the file is damaged");
+}
+
+void write_pairs(h5::Group group, const PairTable& pairs) {
+  group.set("width", std::int64_t{pairs.width});
+  group.write("begin", pairs.begin);
+  group.write("first", pairs.first);
+  group.write("second", pairs.second);
+  group.write("state", codes(pairs.state)).set("values", "0 open, 1 stick, 2 slip, 3 permanent");
+  group.write("history", pairs.history,
+              {static_cast<std::uint64_t>(pairs.size()), static_cast<std::uint64_t>(pairs.width)});
+}
+
+PairTable read_pairs(const h5::Group& group, int sites) {
+  PairTable pairs;
+  pairs.width = static_cast<int>(group.integer("width"));
+  pairs.begin = group.read<std::int32_t>("begin");
+  pairs.first = group.read<std::int32_t>("first");
+  pairs.second = group.read<std::int32_t>("second");
+  const auto states = group.read<std::uint8_t>("state");
+  pairs.state = enums_from<ContactState>(states);
+  pairs.history = group.read<double>("history");
+
+  const auto rows = static_cast<std::size_t>(pairs.size());
+  expect(pairs.second.size() == rows && states.size() == rows && pairs.width >= 0 &&
+             pairs.history.size() == rows * static_cast<std::size_t>(pairs.width),
+         group, "columns of the pairs differ in length");
+  expect(pairs.begin.empty() ? rows == 0
+                             : static_cast<int>(pairs.begin.size()) == sites + 1 && pairs.begin.front() == 0 &&
+                                   pairs.begin.back() == pairs.size() &&
+                                   std::is_sorted(pairs.begin.begin(), pairs.begin.end()),
+         group, "pairs and sites disagree");
+  for (std::size_t r = 0; r < rows; ++r)
+    expect(0 <= pairs.first[r] && pairs.first[r] < pairs.second[r] && pairs.second[r] < sites && states[r] <= 3,
+           group, "a pair of sites that do not exist, or in no known state");
+  return pairs;
+}
+
+}  // namespace
+
+template <int Dim>
+void write_box(h5::Group& group, const Box<Dim>& box) {
+  group.write("length", std::span<const double>(box.length.e));
+  std::vector<std::uint8_t> periodic(box.periodic.begin(), box.periodic.end());
+  group.write("periodic", periodic);
+  group.write_scalar("strain", box.strain);
+  group.write_scalar("strain_rate", box.strain_rate);
+}
+
+template <int Dim>
+Box<Dim> read_box(const h5::Group& group) {
+  Box<Dim> box;
+  const auto length = group.read<double>("length");
+  const auto periodic = group.read<std::uint8_t>("periodic");
+  expect(length.size() == Dim && periodic.size() == Dim, group, "its box has another dimension");
+  for (std::size_t d = 0; d < Dim; ++d) {
+    box.length[static_cast<int>(d)] = length[d];
+    box.periodic[d] = periodic[d] != 0;
+  }
+  box.strain = group.read_scalar<double>("strain");
+  box.strain_rate = group.read_scalar<double>("strain_rate");
+  return box;
+}
+
+template <int Dim>
+void write_system(h5::Group& group, const System<Dim>& system) {
+  const State<Dim>& state = system.state;
+  const auto sites = static_cast<std::uint64_t>(state.size());
+  group.write_scalar("time", system.time);
+  group.write_scalar("lag", system.lag);
+  group.write_scalar("step", system.step);
+  h5::Group box = group.create_group("box");
+  write_box(box, system.box);
+
+  h5::Group sites_group = group.create_group("sites");
+  sites_group.write("position", flat(state.position), {sites, Dim});
+  sites_group.write("velocity", flat(state.velocity), {sites, Dim});
+  for_each_array(state, [&](const char* name, const auto& values) { sites_group.write(name, values); });
+  sites_group.write("mobility", codes(state.mobility)).set("values", "0 free, 1 lower plate, 2 upper plate, 3 fixed");
+
+  h5::Group topology = group.create_group("topology");
+  const Topology<Dim>& t = system.topology;
+  topology.write("begin", t.begin);
+  topology.write("facet", flat(t.facet), {t.facet.size(), Dim});
+  topology.write("hinge", flat(t.hinge), {t.hinge.size(), Dim + 1});
+  topology.write("bond", flat(t.bond), {t.bond.size(), 2});
+  write_pairs(group.create_group("pairs"), system.pairs);
+}
+
+template <int Dim>
+System<Dim> read_system(const h5::Group& group) {
+  System<Dim> system;
+  system.time = group.read_scalar<double>("time");
+  system.lag = group.read_scalar<double>("lag");
+  system.step = group.read_scalar<std::int64_t>("step");
+  system.box = read_box<Dim>(group.open_group("box"));
+
+  const h5::Group sites = group.open_group("sites");
+  State<Dim>& state = system.state;
+  state.position = vectors_from<Dim>(sites.read<double>("position"));
+  state.velocity = vectors_from<Dim>(sites.read<double>("velocity"));
+  state.mobility = enums_from<Mobility>(sites.read<std::uint8_t>("mobility"));
+  const std::size_t n = state.position.size();
+  expect(state.velocity.size() == n && state.mobility.size() == n, sites, "arrays of the sites differ in length");
+  for_each_array(state, [&](const char* name, std::vector<double>& values) {
+    values = sites.read<double>(name);
+    expect(values.size() == n, sites, "arrays of the sites differ in length");
+  });
+
+  const h5::Group topology = group.open_group("topology");
+  system.topology.begin = topology.read<std::int32_t>("begin");
+  system.topology.facet = tuples_from<Dim>(topology.read<std::int32_t>("facet"));
+  system.topology.hinge = tuples_from<Dim + 1>(topology.read<std::int32_t>("hinge"));
+  system.topology.bond = tuples_from<2>(topology.read<std::int32_t>("bond"));
+  system.pairs = read_pairs(group.open_group("pairs"), state.size());
+  return system;
+}
+
+template <int Dim>
+void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation) {
+  group.write("force", flat(evaluation.force), {evaluation.force.size(), Dim});
+  group.write("torque", evaluation.torque);
+  group.write("virial", std::span<const double>(&evaluation.virial.e[0][0], Dim * Dim), {Dim, Dim});
+  h5::Group energy = group.create_group("energy");
+  for_each_energy(evaluation.energy, [&](const char* name, double value) { energy.write_scalar(name, value); });
+}
+
+template <int Dim>
+Evaluation<Dim> read_evaluation(const h5::Group& group) {
+  Evaluation<Dim> evaluation;
+  evaluation.force = vectors_from<Dim>(group.read<double>("force"));
+  evaluation.torque = group.read<double>("torque");
+  const auto virial = group.read<double>("virial");
+  expect(virial.size() == Dim * Dim, group, "its virial has another dimension");
+  std::copy(virial.begin(), virial.end(), &evaluation.virial.e[0][0]);
+  const h5::Group energy = group.open_group("energy");
+  for_each_energy(evaluation.energy, [&](const char* name, double& value) { value = energy.read_scalar<double>(name); });
+  return evaluation;
+}
+
+#define SUPPLE_ARCHIVED(Dim)                                               \
+  template void write_box(h5::Group&, const Box<Dim>&);                    \
+  template Box<Dim> read_box(const h5::Group&);                            \
+  template void write_system(h5::Group&, const System<Dim>&);              \
+  template System<Dim> read_system(const h5::Group&);                      \
+  template void write_evaluation(h5::Group&, const Evaluation<Dim>&);      \
+  template Evaluation<Dim> read_evaluation(const h5::Group&);
+SUPPLE_ARCHIVED(2)
+SUPPLE_ARCHIVED(3)
+#undef SUPPLE_ARCHIVED
+
+}  // namespace supple

@@ -1,0 +1,27 @@
+/// A system in an HDF5 group, bit for bit.
+#pragma once
+#include "supple/force/evaluation.hpp"
+#include "supple/io/hdf5.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+template <int Dim>
+void write_box(h5::Group& group, const Box<Dim>& box);
+template <int Dim>
+Box<Dim> read_box(const h5::Group& group);
+
+/// Box, sites, topology, pairs with their memory, time and step.
+template <int Dim>
+void write_system(h5::Group& group, const System<Dim>& system);
+/// Throws a file error where arrays are missing or their lengths disagree.
+template <int Dim>
+System<Dim> read_system(const h5::Group& group);
+
+/// Forces, torques, energies and virial; the forces of pairs are not kept, they follow from the system.
+template <int Dim>
+void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation);
+template <int Dim>
+Evaluation<Dim> read_evaluation(const h5::Group& group);
+
+}  // namespace supple

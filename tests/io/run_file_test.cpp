@@ -1,0 +1,316 @@
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <cstring>
+#include <sys/wait.h>
+
+#include "supple/io/file_recorder.hpp"
+#include "supple/io/run_file.hpp"
+#include "supple/io/system_archive.hpp"
+#include "tests/io/sample_run.hpp"
+#include "tests/io/temporary_folder.hpp"
+
+namespace supple {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace supple::testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr int discs = 5, steps = 23;
+/// A segment for every append.
+constexpr FlushSpec always{0, 1};
+
+Case sample_case() {
+  Case c;
+  c.general.seed = 77;
+  c.material.friction = 0.1;
+  c.particles.permanent_links = false;
+  c.shear.rate = "sin(t)";
+  return c;
+}
+
+class RunFileTest : public TemporaryFolder {
+ protected:
+  std::string path() const { return in_folder("run.h5"); }
+  FileRecorder recorder(FlushSpec flush = {}, Existing existing = Existing::refuse) const {
+    return {path(), sample_case(), "seed = 77 # resolved\n", existing, flush};
+  }
+};
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+bool same_bits(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec2)) == 0;
+}
+
+void expect_same(const Frame& a, const Frame& b) {
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.strain, b.strain);
+  EXPECT_EQ(a.strain_rate, b.strain_rate);
+  EXPECT_TRUE(same_bits(a.position, b.position));
+  EXPECT_TRUE(same_bits(a.velocity, b.velocity));
+  EXPECT_TRUE(same_bits(a.force, b.force));
+  EXPECT_TRUE(same_bits(a.angle, b.angle));
+  EXPECT_TRUE(same_bits(a.spin, b.spin));
+  EXPECT_TRUE(same_bits(a.torque, b.torque));
+  EXPECT_EQ(a.mobility, b.mobility);
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (std::size_t c = 0; c < a.contacts.size(); ++c) {
+    const ContactRow &x = a.contacts[c], &y = b.contacts[c];
+    EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force, x.tangential_force),
+              std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force, y.tangential_force));
+  }
+}
+
+template <int Dim>
+void expect_same(const System<Dim>& a, const System<Dim>& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.lag, b.lag);
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.box.length, b.box.length);
+  EXPECT_EQ(a.box.periodic, b.box.periodic);
+  EXPECT_EQ(a.box.strain, b.box.strain);
+  EXPECT_EQ(a.box.strain_rate, b.box.strain_rate);
+  EXPECT_EQ(a.state.position, b.state.position);
+  EXPECT_EQ(a.state.velocity, b.state.velocity);
+  EXPECT_TRUE(same_bits(a.state.mass, b.state.mass));
+  EXPECT_TRUE(same_bits(a.state.radius, b.state.radius));
+  EXPECT_TRUE(same_bits(a.state.angle, b.state.angle));
+  EXPECT_TRUE(same_bits(a.state.spin, b.state.spin));
+  EXPECT_TRUE(same_bits(a.state.inertia, b.state.inertia));
+  EXPECT_EQ(a.state.mobility, b.state.mobility);
+  EXPECT_EQ(a.topology.begin, b.topology.begin);
+  EXPECT_EQ(a.topology.facet, b.topology.facet);
+  EXPECT_EQ(a.topology.hinge, b.topology.hinge);
+  EXPECT_EQ(a.topology.bond, b.topology.bond);
+  EXPECT_EQ(a.pairs.begin, b.pairs.begin);
+  EXPECT_EQ(a.pairs.first, b.pairs.first);
+  EXPECT_EQ(a.pairs.second, b.pairs.second);
+  EXPECT_EQ(a.pairs.state, b.pairs.state);
+  EXPECT_EQ(a.pairs.width, b.pairs.width);
+  EXPECT_TRUE(same_bits(a.pairs.history, b.pairs.history));
+}
+
+/// Everything that record_sample wrote, up to `seen` steps.
+void expect_sample(const RunFile& run, int seen) {
+  EXPECT_EQ(run.experiment(), "oscillatory_shear");
+  EXPECT_EQ(run.physics(), "documented");
+  EXPECT_EQ(run.version(), SUPPLE_VERSION);
+  EXPECT_EQ(run.seed(), 77);
+  EXPECT_EQ(run.case_text(), "seed = 77 # resolved\n");
+  const Case c = run.resolved_case();
+  EXPECT_EQ(c.material.friction, 0.1);
+  EXPECT_EQ(c.particles.permanent_links, false);
+  EXPECT_EQ(c.shear.rate, "sin(t)");
+
+  const RunInfo info = run.info(), expected = sample_info(discs);
+  EXPECT_EQ(info.units.name, "um mg s");
+  EXPECT_EQ(info.units.length, 1e-6);
+  EXPECT_EQ(info.box.length, expected.box.length);
+  EXPECT_EQ(info.box.periodic, expected.box.periodic);
+  EXPECT_EQ(info.radius, expected.radius);
+  EXPECT_EQ(info.mass, expected.mass);
+  EXPECT_EQ(info.inertia, expected.inertia);
+  EXPECT_EQ(info.particle, expected.particle);
+
+  EXPECT_THAT(run.tables(), ::testing::UnorderedElementsAre("stress", "empty"));
+  const auto columns = run.columns("stress");
+  ASSERT_EQ(columns.size(), 3u);
+  EXPECT_EQ(columns[1].name, "zeta") << "in the order they were declared";
+  EXPECT_EQ(columns[1].unit, "Pa");
+  EXPECT_EQ(columns[1].meaning, "later in the alphabet");
+  ASSERT_EQ(run.rows("stress"), seen);
+  EXPECT_EQ(run.rows("empty"), 0);
+  const auto alpha = run.column("stress", "alpha");
+  for (int k = 0; k < seen; ++k) EXPECT_EQ(alpha[static_cast<std::size_t>(k)], k / 7.);
+
+  ASSERT_EQ(run.frames(), seen);
+  for (int k = seen - 1; k >= 0; --k) expect_same(run.frame(k), sample_frame(discs, k));
+  EXPECT_EQ(run.value("constants", "tau"), 1e-5);
+}
+
+void expect_sample_end(const RunFile& run) {
+  const auto results = run.values("results");
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].name.name, "steps");
+  EXPECT_EQ(results[0].value, steps - 1) << "the last value given stands";
+  EXPECT_EQ(results[0].error, -1);
+  EXPECT_EQ(results[1].error, 17);
+  EXPECT_EQ(results[1].name.meaning, "G'");
+  EXPECT_THAT(run.warnings(), ElementsAre("the first warning", "the last warning"));
+  const auto [system, evaluation] = run.final_state();
+  expect_same(system, sample_system(discs));
+  const Evaluation<2> expected = sample_evaluation(discs);
+  EXPECT_EQ(evaluation.force, expected.force);
+  EXPECT_EQ(evaluation.torque, expected.torque);
+  EXPECT_EQ(evaluation.energy.elastic, expected.energy.elastic);
+  EXPECT_EQ(evaluation.energy.sliding_power, expected.energy.sliding_power);
+  EXPECT_EQ(evaluation.virial[1][0], expected.virial[1][0]);
+}
+
+TEST_F(RunFileTest, OneSegmentOrManyMakeTheSameRun) {
+  for (const FlushSpec flush : {FlushSpec{}, always}) {
+    FileRecorder to = recorder(flush, Existing::replace);
+    record_sample(to, discs, steps);
+    EXPECT_EQ(fs::exists(in_folder("run.h5.partial/segment-000005.h5")), flush.bytes == 1);
+    to.finish("complete");
+    EXPECT_FALSE(fs::exists(in_folder("run.h5.partial")));
+    const RunFile run(path());
+    EXPECT_EQ(run.status(), "complete");
+    expect_sample(run, steps);
+    expect_sample_end(run);
+  }
+}
+
+TEST_F(RunFileTest, SegmentsOfARunGoingOnAreReadable) {
+  FileRecorder to = recorder(always);
+  record_sample(to, discs, steps);
+  for (const std::string& name : {path(), in_folder("run.h5.partial")}) {
+    const RunFile run(name);
+    EXPECT_EQ(run.status(), "unfinished");
+    expect_sample(run, steps);
+    EXPECT_FALSE(run.has_final_state());
+  }
+}
+
+TEST_F(RunFileTest, AKilledRunLeavesItsCompleteSegments) {
+  const pid_t child = fork();
+  if (child == 0) {
+    FileRecorder to = recorder(always);
+    record_sample(to, discs, steps);
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  write_content(in_folder("run.h5.partial/" + segment_name(2 * steps + 1) + ".tmp"), "half a segment");
+
+  const RunFile run(path());
+  EXPECT_EQ(run.status(), "unfinished");
+  expect_sample(run, steps);
+}
+
+TEST_F(RunFileTest, AFailedRunKeepsWhatItHad) {
+  FileRecorder to = recorder();
+  record_sample(to, discs, 3);
+  to.finish("failed: not finite");
+  const RunFile run(path());
+  EXPECT_EQ(run.status(), "failed: not finite");
+  expect_sample(run, 3);
+}
+
+TEST_F(RunFileTest, WithoutFinishTheLastSegmentHoldsTheRest) {
+  { FileRecorder to = recorder(); record_sample(to, discs, steps); }
+  const RunFile run(path());
+  expect_sample(run, steps);
+  expect_sample_end(run);
+}
+
+TEST_F(RunFileTest, ARunThatNeverBeganLeavesNothing) {
+  { FileRecorder to = recorder(); }
+  recorder().finish("failed: bad input");
+  EXPECT_TRUE(fs::is_empty(in_folder("")));
+}
+
+TEST_F(RunFileTest, NothingIsOverwrittenUnlessAsked) {
+  write_content(path(), "precious");
+  EXPECT_THAT(file_error_of([&] { recorder(); }), HasSubstr("run.h5 exists"));
+  EXPECT_EQ(content_of(path()), "precious");
+  FileRecorder to = recorder({}, Existing::replace);
+  record_sample(to, discs, steps);
+  EXPECT_EQ(content_of(path()), "precious") << "until the new run is complete";
+  to.finish("complete");
+  expect_sample(RunFile(path()), steps);
+}
+
+TEST_F(RunFileTest, AFileThatAppearsMeanwhileIsKept) {
+  FileRecorder to = recorder();
+  record_sample(to, discs, steps);
+  write_content(path(), "precious");
+  EXPECT_THAT(file_error_of([&] { to.finish("complete"); }), HasSubstr("run.h5 exists"));
+  EXPECT_EQ(content_of(path()), "precious");
+  expect_sample_end(RunFile(in_folder("run.h5.partial")));
+}
+
+TEST_F(RunFileTest, TwoRunsDoNotShareAName) {
+  FileRecorder first = recorder();
+  EXPECT_THAT(file_error_of([&] { recorder(); }), HasSubstr("another run writes there"));
+}
+
+TEST_F(RunFileTest, AMissingFolderIsAnErrorBeforeTheRun) {
+  EXPECT_THAT(file_error_of([&] { FileRecorder(in_folder("none/run.h5"), Case{}, ""); }), HasSubstr("there is no folder"));
+}
+
+TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
+  EXPECT_THAT(file_error_of([&] { RunFile(in_folder("none.h5")); }), HasSubstr("No such file"));
+  write_content(in_folder("text.h5"), "not HDF5, but long enough to be some other kind of file");
+  EXPECT_THAT(file_error_of([&] { RunFile(in_folder("text.h5")); }), HasSubstr("is not an HDF5 file"));
+  { h5::create_file(in_folder("foreign.h5")).write("x", std::vector<double>{1}); }
+  EXPECT_THAT(file_error_of([&] { RunFile(in_folder("foreign.h5")); }), HasSubstr("is not a run of Supple"));
+
+  FileRecorder to = recorder();
+  record_sample(to, discs, steps);
+  to.finish("complete");
+  const std::string whole = content_of(path());
+  write_content(in_folder("cut.h5"), whole.substr(0, whole.size() - 1000));
+  EXPECT_THAT(file_error_of([&] { RunFile(in_folder("cut.h5")); }), HasSubstr("truncated"));
+
+  const RunFile run(path());
+  EXPECT_THAT(file_error_of([&] { run.column("stress", "beta"); }), HasSubstr("t, zeta, alpha"));
+  EXPECT_THAT(file_error_of([&] { run.columns("strain"); }), HasSubstr("stress"));
+  EXPECT_THAT(file_error_of([&] { run.frame(steps); }), HasSubstr("no frame 23"));
+  EXPECT_THAT(file_error_of([&] { run.value("results", "G"); }), HasSubstr("no number 'G'"));
+}
+
+TEST_F(RunFileTest, ASystemInThreeDimensionsComesBack) {
+  System<3> system;
+  system.box.length = {1, 2, 3};
+  system.state.resize(2);
+  system.state.position = {{1, 2, 3}, {4, 5, 6}};
+  system.topology.facet = {{0, 1, 0}};
+  system.topology.hinge = {{0, 1, 0, 1}};
+  h5::Group root = h5::create_file(in_folder("a.h5"));
+  write_system(root, system);
+  expect_same(read_system<3>(root), system);
+  EXPECT_THAT(file_error_of([&] { read_system<2>(root); }), HasSubstr("dimension"));
+}
+
+/// What a Python user sees, without Supple.
+TEST_F(RunFileTest, H5pyReadsIt) {
+  FileRecorder to = recorder(always);
+  record_sample(to, discs, steps);
+  to.finish("complete");
+  write_content(in_folder("read.py"), R"(
+import h5py, sys
+with h5py.File(sys.argv[1]) as f:
+    assert f.attrs['sign_of_stress'] == 'compression positive'
+    assert f.attrs['status'] == 'complete' and f.attrs['seed'] == 77
+    assert f['case'].asstr()[()].startswith('seed = 77')
+    assert f['case'].attrs['material.friction'] == 0.1
+    stress = f['tables/stress']
+    assert list(stress) == ['t', 'zeta', 'alpha'], list(stress)
+    assert stress['zeta'].shape == (23,) and stress['zeta'][7] == 7 / 3
+    assert stress['zeta'].attrs['unit'] == 'Pa'
+    frames = f['frames']
+    assert frames['position'].shape == (23, 5, 2)
+    assert frames['position'].attrs['unit'] == '1e-06 m'
+    assert frames['position'][2, 1, 0] == 201 / 3
+    begin, count = frames['contact_begin'][3], frames['contact_count'][3]
+    assert frames['contact_normal_force'][begin:begin + count].tolist() == [0, 1 / 3, 2 / 3]
+    g = f['results/storage_modulus']
+    assert g[()] == 565 and g.attrs['error'] == 17 and g.attrs['unit'] == 'Pa'
+    assert f['warnings'].asstr()[1] == 'the last warning'
+    assert f['final_state/sites/position'].shape == (5, 2)
+    assert f['discs/radius'].attrs['unit'] == '1e-06 m'
+)");
+  const std::string log = in_folder("log");
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("read.py") + " " + path() + " >" + log + " 2>&1").c_str()), 0)
+      << content_of(log);
+}
+
+}  // namespace
+}  // namespace supple
