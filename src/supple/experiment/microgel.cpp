@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/expression.hpp"
 #include "supple/model/discs.hpp"
 
 namespace supple {
@@ -99,6 +100,13 @@ Repulsion make_repulsion(const Case& c, const MaterialConstants& material) {
   if (m.elastic_law == "linear") return Divergent(0);
   if (m.elastic_law == "hertz") return Hertz();
   if (m.elastic_law == "plateau") return Plateau(share, m.plateau_begin, m.plateau_end, m.plateau_slope);
+  if (m.elastic_law == "expression") {
+    const auto formula = std::make_shared<Expression>(m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"},
+                                                      "[material] elastic_expression");
+    return Tabulated([=](double d, double d0, double stiffness, double coefficient) {
+      return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
+    }, share, "[material] elastic_expression \"" + m.elastic_expression + "\"");
+  }
   return Divergent(share);
 }
 

@@ -4,9 +4,10 @@
 
 #include "supple/contact/laws/disc.hpp"
 #include "supple/contact/laws/elastic.hpp"
+#include "supple/contact/laws/tabulated.hpp"
 
 namespace supple {
 
-using Repulsion = std::variant<Divergent, Hertz, Plateau>;
+using Repulsion = std::variant<Divergent, Hertz, Plateau, Tabulated>;
 
 }  // namespace supple
