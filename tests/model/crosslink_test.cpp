@@ -19,7 +19,7 @@ namespace {
 /// A triangular lattice of touching discs in a periodic cell: every disc has six neighbours.
 System<2> lattice(int columns = 12, int rows = 14) {
   System<2> system = hexagonal_discs(columns, rows, 1.0, 0.52, 1.0);
-  test::fill_all_pairs(system);
+  testing::fill_all_pairs(system);
   return system;
 }
 
@@ -71,7 +71,7 @@ TEST(Crosslink, ParticlesAreTheComponentsOfPhysicalLinks) {
   box.length = {10, 10};
   // A column of three, a pair across the x boundary, one alone.
   System<2> system = listed_discs(box, {{5, 5}, {9.6, 2}, {5, 6.5}, {0.4, 2}, {5, 8}, {2, 5}}, std::vector(6, 0.8), 1);
-  test::fill_all_pairs(system);
+  testing::fill_all_pairs(system);
   link_everything(system);
   EXPECT_EQ(connected_particles(system), (std::vector<std::int32_t>{0, 1, 0, 2, 0, 3}));
   EXPECT_EQ(connected_particles(system, LinkKind::all), (std::vector<std::int32_t>{0, 1, 0, 1, 0, 2}));
@@ -258,7 +258,7 @@ TEST(Crosslink, IsolatedDiscsAreJoinedToOneTouchingNeighbour) {
   Box<2> box;
   box.length = {10, 10};
   System<2> system = listed_discs(box, {{2, 5}, {3, 5}, {4, 5}, {8, 5}, {0.2, 9}, {9.6, 9}}, std::vector(6, 0.6), 1);
-  test::fill_all_pairs(system);
+  testing::fill_all_pairs(system);
   const auto touching = touching_pairs(system);
   EXPECT_EQ(touching.size(), 3u);
   // 0 and 1 join, then 2 joins 1 (or 1 joins 2 and 0 joins 1); 3 touches nobody; 4 and 5 join across the boundary.
@@ -277,7 +277,7 @@ TEST(Crosslink, JoinedNeighbourIsUniform) {
     Box<2> box;
     box.length = {10, 10};
     System<2> system = listed_discs(box, {{5, 5}, {6, 5}, {4, 5}, {5, 6}}, std::vector(4, 0.6), 1);
-    test::fill_all_pairs(system);
+    testing::fill_all_pairs(system);
     join_isolated_discs(system, touching_pairs(system), seed, 0);
     const auto first = RandomStream(seed, Purpose::isolated_join, 0).below(3);
     EXPECT_EQ(system.pairs.state[static_cast<std::size_t>(first)], ContactState::permanent);

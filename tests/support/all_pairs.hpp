@@ -2,13 +2,14 @@
 #pragma once
 #include "supple/model/system.hpp"
 
-namespace supple::test {
+namespace supple::testing {
 
 template <int Dim>
 void fill_all_pairs(System<Dim>& system, int history_width = 1) {
   PairTable& pairs = system.pairs;
   pairs.clear();
   pairs.width = history_width;
+  ++pairs.version;
   const int n = system.state.size();
   for (int i = 0; i < n; ++i) {
     pairs.begin.push_back(pairs.size());
@@ -22,4 +23,4 @@ void fill_all_pairs(System<Dim>& system, int history_width = 1) {
   pairs.history.assign(static_cast<std::size_t>(pairs.size()) * history_width, 0.0);
 }
 
-}  // namespace supple::test
+}  // namespace supple::testing
