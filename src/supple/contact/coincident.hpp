@@ -9,9 +9,16 @@
 namespace supple {
 
 /// Unit vector for sites i and j whose centres coincide: arbitrary, but the same at every call.
-inline Vec2 arbitrary_direction(std::int32_t i, std::int32_t j) {
-  const double angle = RandomStream(0, Purpose::coincident_normal, stream_index(i, j)).uniform(0, 6.283185307179586);
-  return {std::cos(angle), std::sin(angle)};
+template <int Dim = 2>
+Vec<Dim> arbitrary_direction(std::int32_t i, std::int32_t j) {
+  RandomStream draw(0, Purpose::coincident_normal, stream_index(i, j));
+  const double angle = draw.uniform(0, 6.283185307179586);
+  if constexpr (Dim == 2) {
+    return {std::cos(angle), std::sin(angle)};
+  } else {
+    const double z = draw.uniform(-1, 1), r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+  }
 }
 
 }  // namespace supple

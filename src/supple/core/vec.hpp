@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace supple {
 
@@ -49,6 +50,12 @@ constexpr VecOf<S, 3> cross(const VecOf<S, 3>& a, const VecOf<S, 3>& b) {
 /// a turned by +90 degrees.
 template <class S>
 constexpr VecOf<S, 2> turned_left(const VecOf<S, 2>& a) { return {-a[1], a[0]}; }
+/// (0, 0, w) x a.
+constexpr Vec2 cross(double w, const Vec2& a) { return w * turned_left(a); }
+
+/// Angular velocity or torque: a number about z in 2D, a vector in 3D.
+template <int Dim>
+using Angular = std::conditional_t<Dim == 2, double, Vec<Dim>>;
 
 /// Square matrix, m[row][column]; stress and virial: row = force component, column = position component.
 template <int Dim>

@@ -1,7 +1,6 @@
 /// The result of one evaluation of all forces.
 #pragma once
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "supple/core/vec.hpp"
@@ -17,7 +16,7 @@ struct PairForce {
   double distance = 0;      ///< between the centres [length]
   double elastic = 0;       ///< repulsion, positive [force]; negative: tension of a link
   double viscous = 0;       ///< viscous repulsion: positive on approach [force]
-  std::conditional_t<Dim == 2, double, Vec<Dim>> tangential{};  ///< on first along t, on second along -t [force]
+  Angular<Dim> tangential{};  ///< on first along t, on second along -t [force]
   std::int32_t up = 0;      ///< cells between them along the gradient
   bool crosses = false;     ///< whether the contact is with a periodic image
   bool active = false;      ///< touching or linked
@@ -58,7 +57,7 @@ struct EnergyParts {
 template <int Dim>
 struct Evaluation {
   std::vector<Vec<Dim>> force;
-  std::vector<double> torque;
+  std::vector<Angular<Dim>> torque;
   std::vector<PairForce<Dim>> pair;          ///< aligned with System::pairs
   std::vector<ContactState> trial_state;     ///< aligned with System::pairs
   std::vector<double> trial_history;         ///< aligned with System::pairs.history

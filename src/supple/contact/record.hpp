@@ -1,0 +1,63 @@
+/// The general contact: any number of sites of two bodies, seen as one scalar gap and one force.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "supple/model/box.hpp"
+#include "supple/model/state.hpp"
+
+namespace supple {
+
+/// Disc on disc, vertex on vertex, vertex on facet, site on wall: they differ only in how a record is filled.
+/// Weights c_a sum to zero, and c_a n is the gradient of the gap by site a: positive on the side that n points to. Spins
+/// enter with the arm from the centre of a site to the point of contact. From these alone follow
+///     relative velocity  v = sum c_a (v_a + w_a x arm_a) - jump over the boundary,
+///     forces             f_a = c_a F,  torques  T_a = arm_a x f_a,
+/// so that the power of the contact is F.v whatever the law: sum (f_a.v_a + T_a.w_a) = F.(v + jump).
+template <int Dim>
+struct ContactRecord {
+  static constexpr int most_sites = Dim + 1;  ///< a vertex and a facet
+
+  int sites = 0;
+  std::array<std::int32_t, most_sites> site{};
+  std::array<double, most_sites> weight{};
+  std::array<Vec<Dim>, most_sites> arm{};  ///< [length]; zero where the site does not spin
+  Vec<Dim> normal{};                       ///< unit vector toward the sites of positive weight
+  Vec<Dim> branch{};  ///< sum c_a x_a over the nearest images [length]; torque balance: branch + sum c_a arm_a = 0
+  double reach = 0;   ///< distance at which the surfaces meet [length]
+  double gap = 0;     ///< distance less reach; negative: overlap [length]
+  std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
+  std::int32_t up = 0;    ///< cells between the two sides along the gradient
+  bool crosses = false;   ///< whether the contact is with a periodic image
+
+  double distance() const { return reach + gap; }
+  void add(std::int32_t a, double c, const Vec<Dim>& lever = {}) {
+    site[sites] = a;
+    weight[sites] = c;
+    arm[sites++] = lever;
+  }
+};
+
+/// Velocity at the contact of the side of positive weight, relative to the other; its part along n is d(gap)/dt.
+template <int Dim>
+Vec<Dim> relative_velocity(const ContactRecord<Dim>& record, const State<Dim>& state, const Box<Dim>& box) {
+  Vec<Dim> v = -box.velocity_jump(record.up);
+  for (int k = 0; k < record.sites; ++k) {
+    const std::int32_t a = record.site[k];
+    v += record.weight[k] * (state.velocity[a] + cross(state.spin[a], record.arm[k]));
+  }
+  return v;
+}
+
+/// Adds the force F on the side of positive weight, and its reaction, to the sites of the record.
+template <int Dim>
+void scatter(const ContactRecord<Dim>& record, const Vec<Dim>& force, std::vector<Vec<Dim>>& forces,
+             std::vector<Angular<Dim>>& torques) {
+  for (int k = 0; k < record.sites; ++k) {
+    const Vec<Dim> share = record.weight[k] * force;
+    forces[record.site[k]] += share;
+    torques[record.site[k]] += cross(record.arm[k], share);
+  }
+}
+
+}  // namespace supple
