@@ -8,14 +8,26 @@
 namespace supple {
 namespace {
 
-/// Values per site of each array of numbers in State, by name.
+/// Each array of State with one number per site, by name.
 template <class AnyState, class Visit>
 void for_each_array(AnyState& state, Visit&& visit) {
   visit("mass", state.mass);
   visit("radius", state.radius);
   visit("angle", state.angle);
-  visit("spin", state.spin);
   visit("inertia", state.inertia);
+}
+
+/// Spins and torques: one number per site in 2D, a vector in 3D.
+template <int Dim>
+void write_angular(h5::Group& group, const char* name, const std::vector<Angular<Dim>>& values) {
+  if constexpr (Dim == 2) group.write(name, values);
+  else group.write(name, flat(values), {values.size(), Dim});
+}
+
+template <int Dim>
+std::vector<Angular<Dim>> read_angular(const h5::Group& group, const char* name) {
+  if constexpr (Dim == 2) return group.read<double>(name);
+  else return vectors_from<Dim>(group.read<double>(name));
 }
 
 template <class Parts, class Visit>
@@ -107,6 +119,7 @@ void write_system(h5::Group& group, const System<Dim>& system) {
   sites_group.write("position", flat(state.position), {sites, Dim});
   sites_group.write("velocity", flat(state.velocity), {sites, Dim});
   for_each_array(state, [&](const char* name, const auto& values) { sites_group.write(name, values); });
+  write_angular<Dim>(sites_group, "spin", state.spin);
   sites_group.write("mobility", codes(state.mobility)).set("values", "0 free, 1 lower plate, 2 upper plate, 3 fixed");
 
   h5::Group topology = group.create_group("topology");
@@ -132,7 +145,9 @@ System<Dim> read_system(const h5::Group& group) {
   state.velocity = vectors_from<Dim>(sites.read<double>("velocity"));
   state.mobility = enums_from<Mobility>(sites.read<std::uint8_t>("mobility"));
   const std::size_t n = state.position.size();
-  expect(state.velocity.size() == n && state.mobility.size() == n, sites, "arrays of the sites differ in length");
+  state.spin = read_angular<Dim>(sites, "spin");
+  expect(state.velocity.size() == n && state.mobility.size() == n && state.spin.size() == n, sites,
+         "arrays of the sites differ in length");
   for_each_array(state, [&](const char* name, std::vector<double>& values) {
     values = sites.read<double>(name);
     expect(values.size() == n, sites, "arrays of the sites differ in length");
@@ -150,7 +165,7 @@ System<Dim> read_system(const h5::Group& group) {
 template <int Dim>
 void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation) {
   group.write("force", flat(evaluation.force), {evaluation.force.size(), Dim});
-  group.write("torque", evaluation.torque);
+  write_angular<Dim>(group, "torque", evaluation.torque);
   group.write("virial", std::span<const double>(&evaluation.virial.e[0][0], Dim * Dim), {Dim, Dim});
   h5::Group energy = group.create_group("energy");
   for_each_energy(evaluation.energy, [&](const char* name, double value) { energy.write_scalar(name, value); });
@@ -160,7 +175,7 @@ template <int Dim>
 Evaluation<Dim> read_evaluation(const h5::Group& group) {
   Evaluation<Dim> evaluation;
   evaluation.force = vectors_from<Dim>(group.read<double>("force"));
-  evaluation.torque = group.read<double>("torque");
+  evaluation.torque = read_angular<Dim>(group, "torque");
   const auto virial = group.read<double>("virial");
   expect(virial.size() == Dim * Dim, group, "its virial has another dimension");
   std::copy(virial.begin(), virial.end(), &evaluation.virial.e[0][0]);
