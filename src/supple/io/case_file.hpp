@@ -26,4 +26,7 @@ enum class CaseStyle {
 /// The case as TOML. Numbers are the shortest that read back as the same double.
 std::string write_case(const Case& c, CaseStyle style);
 
+/// Every key with its default, unit, valid values and meaning: Markdown tables, one for each section.
+std::string describe_parameters();
+
 }  // namespace supple

@@ -52,6 +52,22 @@ std::vector<std::string> wrapped(const std::vector<std::string>& pieces, std::si
   return lines;
 }
 
+/// The range, or the choices, of a key.
+template <class P>
+std::string valid_values(const Field<P>& field) {
+  if (field.choices.empty()) return describe(field.range);
+  std::string out;
+  for (const std::string_view choice : field.choices) out += fmt::format("{}`{}`", out.empty() ? "" : ", ", choice);
+  return out;
+}
+
+/// Text for a cell of a Markdown table.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) (c == '|' ? out += '\\' : out) += c;
+  return out;
+}
+
 constexpr std::size_t comment_column = 46, comment_width = 60;
 
 }  // namespace
@@ -81,6 +97,20 @@ std::string write_case(const Case& c, CaseStyle style) {
         out += line + "\n";
       }
     }
+  });
+  return out;
+}
+
+std::string describe_parameters() {
+  const Case defaults;
+  std::string out;
+  for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
+    out += section.empty() ? "### Above any section\n" : fmt::format("\n### [{}]\n", section);
+    out += "\n| key | default | unit | valid | meaning |\n|---|---|---|---|---|\n";
+    for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
+      out += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", field.name,
+                         std::visit([&](auto member) { return toml_value(parameters.*member); }, field.member),
+                         field.unit, valid_values(field), escaped(field.meaning));
   });
   return out;
 }
