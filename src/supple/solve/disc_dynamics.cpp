@@ -80,7 +80,7 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
 }
 
 const Evaluation<2>& DiscDynamics::evaluate(System<2>& system, ShearRates) {
-  forces_.evaluate(system, Detail::forces, evaluation_);
+  forces_.evaluate(system, account_ ? Detail::energies : Detail::forces, evaluation_);
   return evaluation_;
 }
 
@@ -95,13 +95,25 @@ void DiscDynamics::set_plates(Plates plates) {
 }
 
 void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, double damping) {
-  const double kick_time = 0.5 * (system.lag + dt);
+  const double half_before = 0.5 * system.lag, half_after = 0.5 * dt;
+  if (account_) {
+    account_->book_boundaries(system, evaluation_, half_before);
+    account_->book_losses(evaluation_, system.lag);
+  }
   forces_.commit(system, evaluation_);
   set_strain_rate(system, rates.mid);
-  kick(system, evaluation_, kick_time);
+  if (account_) account_->book(&EnergyFlows::shear_rate, 1, system);
+  kick(system, evaluation_, half_before + half_after);
+  if (account_) account_->book_contacts(system);
   if (damping != 1) damp(system, damping);
+  if (account_) {
+    account_->book(&EnergyFlows::background, -1, system);
+    account_->book_boundaries(system, evaluation_, half_after);
+  }
   drift(system, dt);
+  if (account_) account_->book(&EnergyFlows::images, 1, system);
   capture_at_boundaries(system, plates_);
+  if (account_) account_->book(&EnergyFlows::plates, 1, system);
   system.lag = dt;
   system.time += dt;
   ++system.step;

@@ -1,6 +1,7 @@
 /// The documented microgel model in time: leapfrog, plates, damping relative to the flow.
 #pragma once
 #include "supple/force/force_field.hpp"
+#include "supple/observe/energy_balance.hpp"
 #include "supple/solve/stepper.hpp"
 
 namespace supple {
@@ -20,6 +21,8 @@ class DiscDynamics : public Stepper {
   void set_friction(double coefficient) override { forces_.contacts().set_friction(coefficient); }
   double friction() const override { return forces_.contacts().law().friction; }
   void set_plates(Plates plates) override;
+  /// Books every step on this account, whose opening the caller sees to (nullptr: none). Evaluations then hold energies.
+  void set_account(EnergyBalance* account) { account_ = account; }
   /// Call after sites, radii or links were changed by hand.
   void invalidate() { forces_.invalidate(); }
   const ForceField& forces() const { return forces_; }
@@ -28,6 +31,7 @@ class DiscDynamics : public Stepper {
   ForceField forces_;
   Evaluation<2> evaluation_;
   Plates plates_ = Plates::none;
+  EnergyBalance* account_ = nullptr;
 };
 
 /// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -= change/2.

@@ -1,0 +1,82 @@
+#include "supple/observe/energy_balance.hpp"
+
+#include "supple/observe/summary.hpp"
+
+namespace supple {
+namespace {
+
+/// Of the velocities as they stand, half a step before or after the instant of the forces.
+double kinetic_energy_now(const State<2>& s) {
+  double sum = 0;
+  for (int i = 0; i < s.size(); ++i) {
+    if (s.mobility[i] == Mobility::free) sum += 0.5 * s.mass[i] * dot(s.velocity[i], s.velocity[i]);
+    sum += 0.5 * s.inertia[i] * s.spin[i] * s.spin[i];
+  }
+  return sum;
+}
+
+/// What moves the plates does work against the contacts of their discs.
+double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
+  const State<2>& s = system.state;
+  double power = 0;
+  for (int i = 0; i < s.size(); ++i)
+    if (s.mobility[i] != Mobility::free) power -= dot(evaluation.force[i], s.velocity[i]);
+  return power;
+}
+
+/// A contact with an image closes at the speed of the image: its discs gain less than the contact gives.
+double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
+  double power = 0;
+  for (const PairForce<2>& p : evaluation.pair)
+    if (p.active && p.up != 0) power -= dot(force_on_first(p), system.box.velocity_jump(p.up));
+  return power;
+}
+
+}  // namespace
+
+EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluation) {
+  const EnergyParts& e = evaluation.energy;
+  return {kinetic_energy(system, evaluation).total(), e.elastic, e.tangential, e.wall, e.terms};
+}
+
+void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluation) {
+  flows_ = {};
+  energy_at_opening_ = energy_state(system, evaluation).total();
+  kinetic_ = kinetic_energy_now(system.state);
+  // Forces of the half step and losses of the step before this instant belong to the time before.
+  book_boundaries(system, evaluation, -0.5 * system.lag);
+  book_losses(evaluation, -system.lag);
+}
+
+void EnergyBalance::book(double EnergyFlows::*flow, double sign, const System<2>& system) {
+  const double now = kinetic_energy_now(system.state);
+  flows_.*flow += sign * (now - kinetic_);
+  kinetic_ = now;
+}
+
+void EnergyBalance::book_contacts(const System<2>& system) { kinetic_ = kinetic_energy_now(system.state); }
+
+void EnergyBalance::book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time) {
+  flows_.plates += time * plate_power(system, evaluation);
+  flows_.images += time * image_power(system, evaluation);
+}
+
+void EnergyBalance::book_losses(const Evaluation<2>& evaluation, double time) {
+  flows_.viscous += time * evaluation.energy.viscous_power;
+  flows_.tangential_viscous += time * evaluation.energy.tangential_viscous_power;
+  flows_.sliding += time * evaluation.energy.sliding_power;
+}
+
+EnergyFlows EnergyBalance::flows(const System<2>& system, const Evaluation<2>& evaluation) const {
+  EnergyBalance pending = *this;
+  pending.book_boundaries(system, evaluation, 0.5 * system.lag);
+  pending.book_losses(evaluation, system.lag);
+  return pending.flows_;
+}
+
+double EnergyBalance::residual(const System<2>& system, const Evaluation<2>& evaluation) const {
+  const EnergyFlows f = flows(system, evaluation);
+  return energy_state(system, evaluation).total() - energy_at_opening_ - f.work() + f.lost();
+}
+
+}  // namespace supple

@@ -1,0 +1,81 @@
+/// Energy over a cycle of shear: work of plates, images and rate changes = change of energy + losses by channel.
+#include "supple/observe/energy_balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "supple/experiment/microgel.hpp"
+#include "supple/experiment/suspension.hpp"
+
+namespace supple {
+namespace {
+
+/// 45 discs with friction 0.3, so that every channel takes part.
+Case frictional(const char* plates, bool links) {
+  Case c;
+  c.particles.discs = 45;
+  c.particles.permanent_links = links;
+  c.box.plates = plates;
+  c.material.friction = 0.3;
+  return c;
+}
+
+Suspension prepared(const Case& c) {
+  Suspension s = make_suspension(c, nullptr);
+  MemoryRecorder recorder;
+  prepare(s, c, recorder);
+  return s;
+}
+
+struct Account {
+  EnergyFlows flows;
+  double change = 0, residual = 0;
+};
+
+/// One cycle of 20 % strain in so many steps, from this state.
+Account shear_one_cycle(System<2> system, const Case& c, int steps) {
+  const MicrogelConstants k = derive_constants(c, nullptr);
+  const std::unique_ptr<DiscDynamics> dynamics = make_dynamics(c, nullptr, k);
+  dynamics->set_plates(plates_of(c));
+  const OscillatoryProtocol protocol{0.2, k.frequency, 0, 1, 0, steps};
+  EnergyBalance balance;
+  dynamics->set_account(&balance);
+  const Evaluation<2>& now = dynamics->evaluate(system, {});
+  balance.open(system, now);
+  const double before = energy_state(system, now).total();
+  for (int i = 0; i < steps; ++i) {
+    dynamics->evaluate(system, protocol.rates(i));
+    dynamics->advance(system, protocol.rates(i), protocol.time_step(), std::pow(c.shear.cool_factor, 1.0 / steps));
+  }
+  dynamics->evaluate(system, {});
+  return {balance.flows(system, now), energy_state(system, now).total() - before, balance.residual(system, now)};
+}
+
+void expect_closed(const Case& c) {
+  const Suspension s = prepared(c);
+  double coarser = 0;
+  for (const int steps : {1120, 2240, 4480}) {
+    const Account a = shear_one_cycle(s.system, c, steps);
+    EXPECT_NEAR(a.flows.work(), a.change + a.flows.lost(), 1e-3 * a.flows.work()) << steps << " steps";
+    EXPECT_NEAR(a.residual, a.change + a.flows.lost() - a.flows.work(), 1e-12 * a.flows.work());
+    if (coarser > 0) {
+      EXPECT_LT(std::abs(a.residual), 0.7 * coarser) << steps << " steps";
+    }
+    coarser = std::abs(a.residual);
+  }
+}
+
+TEST(EnergyBalance, ClosesOverACycleBetweenPlatesWithLinks) { expect_closed(frictional("capture", true)); }
+TEST(EnergyBalance, ClosesOverACycleOfAPlainLeesEdwardsCell) { expect_closed(frictional("none", true)); }
+TEST(EnergyBalance, ClosesOverACycleBetweenRepulsivePlates) { expect_closed(frictional("repulsive", false)); }
+
+TEST(EnergyBalance, EveryChannelTakesPart) {
+  const Case c = frictional("capture", false);
+  const Account a = shear_one_cycle(prepared(c).system, c, 1120);
+  const EnergyFlows& f = a.flows;
+  for (const double part : {f.plates, f.images, f.shear_rate, f.viscous, f.tangential_viscous, f.sliding, f.background, a.change})
+    EXPECT_GT(std::abs(part), 5e-3 * f.work());
+  for (const double loss : {f.viscous, f.tangential_viscous, f.sliding}) EXPECT_GT(loss, 0);
+}
+
+}  // namespace
+}  // namespace supple
