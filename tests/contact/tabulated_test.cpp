@@ -54,7 +54,7 @@ TEST(Tabulated, RefusesLawsThatAreNotRepulsionLaws) {
                        "diverges"));
   EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * (d - d0); }), "attracts"));
   EXPECT_TRUE(contains(problem_of([](double, double d0, double k, double) { return k * d0; }), "at contact"));
-  EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * (d0 - d) / std::abs(d - 0.5 * d0); }),
+  EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * d0 * std::pow(d / d0 - 0.4, 1.5) * (1 - d / d0); }),
                        "not finite"));
   EXPECT_TRUE(contains(problem_of([](double d, double d0, double, double) { return d0 - d; }), "proportional to k"));
   EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * (d0 - d) * (d0 - d); }),

@@ -141,7 +141,7 @@ const Fields<Output>& fields() {
   static const Fields<Output> f{
       {"file", &Output::file, "", "the run; empty: name of the case with .h5"},
       {"tensors", &Output::tensors, "", "keep every tensor at every step"},
-      {"frames", &Output::frames, "", "evenly spaced frames; 0 in dynamics: every step", not_negative},
+      {"frames", &Output::frames, "", "evenly spaced frames of the protocol; dynamics keeps every step unless this is given", at_least_one},
       {"images", &Output::images, "", "evenly spaced images of the protocol", not_negative},
       {"image_format", &Output::image_format, "", "format of the images", any_value, {"png", "jpg", "svg", "pdf", "ps"}},
       {"plot", &Output::plot, "", "also draw strain and stress against time, beside the run"},

@@ -71,7 +71,7 @@ struct Initial {
 struct Output {
   std::string file;           ///< empty: <case name>.h5 beside the current folder
   bool tensors = true;        ///< every tensor at every step
-  int frames = 0;             ///< evenly spaced frames over the protocol; dynamics: 0 means every step
+  int frames = 25;            ///< evenly spaced over the protocol; dynamics: every step unless given
   int images = 0;             ///< evenly spaced images over the protocol
   std::string image_format = "png";
   bool plot = true;           ///< also draw strain and stress against time

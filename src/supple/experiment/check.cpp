@@ -59,7 +59,7 @@ void check_shear(const Case& c, Problems& problems) {
     add(problems, c,
         fmt::format("shear.rate = \"{}\" in a cell with boundary = \"{}\"", c.shear.rate, c.box.boundary),
         "only Lees-Edwards boundaries can be sheared", "set boundary = \"lees_edwards\" or rate = \"0\"");
-  if (c.general.experiment == "dynamics" && c.time.steps == 0)
+  if (c.general.experiment == "dynamics" && c.time.steps == 0 && c.initial.state.empty())
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
 
@@ -92,8 +92,8 @@ std::vector<std::string> find_doubts(const Case& c) {
        "material.elastic_law = \"expression\"");
   for (const auto key : {"material.plateau_begin", "material.plateau_end", "material.plateau_slope"})
     idle(key, c.material.elastic_law == "plateau", "material.elastic_law = \"plateau\"");
-  idle("material.tensile_range", c.material.tensile_law == "exponential" || !links,
-       "material.tensile_law = \"exponential\"");
+  idle("material.tensile_range", c.material.tensile_law != "linear" || !links,
+       "material.tensile_law = \"exponential\" or \"saturating\"");
   for (const auto key : {"shear.amplitude", "shear.relative_frequency", "shear.periods", "shear.pre_periods",
                          "shear.post_periods"})
     idle(key, shear, "experiment = \"oscillatory_shear\"");

@@ -5,6 +5,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/microgel.hpp"
+#include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/stress_table.hpp"
 #include "supple/experiment/suspension.hpp"
 
@@ -29,33 +30,30 @@ double damping_per_step(const Case& c, const InitialState* initial, double of_ca
 }  // namespace
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
-  const MicrogelConstants k = derive_constants(c, initial);
   Expression(c.shear.rate, {"t"}, "[shear] rate");
-  return {
-      {{"spring_constant", "N/m per m", "k = (pi/8) E (S1-8)"}, k.k},
-      {{"time_constant", "s", "tau = sqrt(m/k)"}, k.tau},
-      {{"stable_time_step", "s", "stability limit"}, k.stable_step},
-      {{"time_step", "s", "time step"}, k.time_step},
-      {{"steps", "", "steps"}, static_cast<double>(step_count(c, initial))},
-  };
+  std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
+                                           : derived_constants(derive_constants(c, initial));
+  const double dt = is_package(c) ? derive_particleshear(c, initial).dt : derive_constants(c, initial).time_step;
+  all.push_back({{"time_step", "s", "time step"}, dt});
+  all.push_back({{"steps", "", "steps"}, static_cast<double>(step_count(c, initial))});
+  return all;
 }
 
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
-  Suspension s = make_suspension(c, initial);
-  if (initial) adopt_state(s, c, *initial); else prepare(s, c, recorder);
+  Suspension s = make_suspension(c, initial, recorder);
   const double damping = damping_per_step(c, initial, s.damping);
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));
   for (const Derived& d : derive_dynamics(c, initial)) recorder.value("constants", d.name, d.value);
   StressTable table(recorder, s.units, c.output.tensors);
-  const std::int64_t every = c.output.frames > 0 ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
+  const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
   for (std::int64_t i = 0; i < steps; ++i) {
     const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
-    table.append(s.system, stress_tensors(s.system, evaluation, s.units.stress()));
+    table.append(s.system, evaluation);
     if (i % every == 0) recorder.frame(make_frame(s.system, evaluation));
     s.stepper->advance(s.system, rates, s.time_step, damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);

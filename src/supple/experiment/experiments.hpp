@@ -4,16 +4,11 @@
 #include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
 
 namespace supple {
-
-/// A number that follows from a case, before anything is run.
-struct Derived {
-  Column name;
-  double value;
-};
 
 struct Experiment {
   std::string name, meaning;

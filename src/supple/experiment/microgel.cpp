@@ -135,6 +135,15 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   return k;
 }
 
+std::vector<Derived> derived_constants(const MicrogelConstants& k) {
+  const PairStiffness &contact = k.law.contact, &link = k.law.link;
+  std::vector<Derived> all = name_constants({k.mean_mass, k.tau, k.law.friction, contact.k, contact.k_t, contact.eta,
+                                             contact.eta_t, link.k, link.k_t, link.eta, link.eta_t},
+                                            si_units());
+  all.push_back({{"stable_time_step", "s", "stability limit of the time step"}, k.stable_step});
+  return all;
+}
+
 Plates plates_of(const Case& c) {
   return c.box.plates == "repulsive" ? Plates::repulsive : c.box.plates == "none" ? Plates::none : Plates::capture;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
 #include "supple/solve/disc_dynamics.hpp"
@@ -24,6 +25,9 @@ struct MicrogelConstants {
 /// Constants of the case, or of the state that it starts from; keys that the user gave win over the state's numbers.
 /// Throws an input error where the time step that was asked for is above the stability limit.
 MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
+
+/// What a run records of them.
+std::vector<Derived> derived_constants(const MicrogelConstants& k);
 
 /// The repulsion law that the case names.
 Repulsion make_repulsion(const Case& c, const MaterialConstants& material);

@@ -19,6 +19,7 @@ void reject_what_the_package_lacks(const Case& c) {
   const Material& m = c.material;
   if (m.elastic_law == "hertz" || m.elastic_law == "expression")
     reject("material.elastic_law", m.elastic_law, "\"divergent\", \"linear\" or \"plateau\"");
+  if (m.tensile_law == "exponential") reject("material.tensile_law", m.tensile_law, "\"linear\" or \"saturating\"");
   if (c.is_given("material.slip") && m.slip != "reset") reject("material.slip", m.slip, "\"reset\"");
   if (c.is_given("material.lever_arm") && m.lever_arm != "radius") reject("material.lever_arm", m.lever_arm, "\"radius\"");
   if (c.box.boundary != "lees_edwards") reject("box.boundary", c.box.boundary, "\"lees_edwards\"");
@@ -41,7 +42,7 @@ ParticleShearConstants contact_constants(const Material& m, const ParticleShearS
   p.permanent_ratio_tangential = 1 / tangential;
   p.keep_viscosity_coefficients_constant = keep;
   p.elastic = m.elastic_law == "plateau" ? ParticleShearElastic::plateau : ParticleShearElastic::divergent;
-  p.tensile = m.tensile_law == "exponential" ? ParticleShearTensile::exponential : ParticleShearTensile::linear;
+  p.tensile = m.tensile_law == "saturating" ? ParticleShearTensile::exponential : ParticleShearTensile::linear;
   p.plateau_begin = m.plateau_begin;
   p.plateau_end = m.plateau_end;
   p.plateau_slope = m.plateau_slope;
@@ -97,7 +98,7 @@ void take_from_state(const Case& c, const InitialState& initial, ParticleShearRu
     const auto found = initial.protocol.find(name);
     return found == initial.protocol.end() ? std::optional<double>{} : found->second;
   };
-  take("time.time_step", number("dt"), run.dt);
+  take("time.step", number("dt"), run.dt);
   take("shear.relative_frequency", number("f"), run.frequency);
   take("shear.amplitude", number("amplitude"), run.amplitude);
   take("shear.pre_periods", number("pre"), run.pre_periods);
@@ -145,6 +146,15 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
   run.damping = std::pow(c.shear.cool_factor, 1 / (1 / run.frequency / run.dt));
   run.steps = static_cast<std::int64_t>((run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt);
   return run;
+}
+
+std::vector<Derived> derived_constants(const ParticleShearRun& run) {
+  const ParticleShearConstants& p = run.constants;
+  const double central = p.permanent_ratio_central, tangential = p.permanent_ratio_tangential;
+  const bool keep = p.keep_viscosity_coefficients_constant;
+  return name_constants({run.scales.mass, run.scales.tau, p.mu, p.k, p.k_t, p.nu, p.nu_t, p.k * central, p.k_t * tangential,
+                         p.nu * (keep ? 1 : central), p.nu_t * (keep ? 1 : tangential)},
+                        particleshear_units());
 }
 
 }  // namespace supple

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/solve/particleshear_step.hpp"
 
@@ -42,6 +43,9 @@ struct ParticleShearRun {
 /// Constants, time step and protocol of a case, or of the state that it starts from; keys that the user gave win over
 /// the state's numbers. Throws an input error on what the package does not have.
 ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial = nullptr);
+
+/// What a run records of it.
+std::vector<Derived> derived_constants(const ParticleShearRun& run);
 
 /// A part of the preparation: steps of one kind.
 struct ParticleShearStage {

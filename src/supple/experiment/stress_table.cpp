@@ -31,6 +31,7 @@ std::vector<Column> columns(bool tensors) {
       {"strain_rate", "1/s", "shear rate"},
       {"shear_stress_external", "Pa", "tau from external forces (S1-16, S1-25)"},
       {"shear_stress_internal", "Pa", "tau from the overall tensor (S1-24, S1-25)"},
+      {"shear_stress_external_corrected", "Pa", "tau from external forces, without the jumps of the cut"},
       {"shear_stress_periodic", "Pa", "tau from Love-Weber with contacts across x internal"},
       {"shear_stress_virial", "Pa", "tau from the virial of all contacts"},
       {"pair_register", "", "elementary internal forces, as the published package counts them"},
@@ -50,10 +51,12 @@ StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors)
   recorder_.declare("stress", columns(tensors));
 }
 
-void StressTable::append(const System<2>& system, const StressTensors& s) {
+void StressTable::append(const System<2>& system, const Evaluation<2>& evaluation) {
+  const StressTensors s = stress_tensors(system, evaluation, units_.stress());
+  const double corrected = jumps_.corrected(system, evaluation, s, units_.stress());
   const double t = system.time * units_.time;
   row_ = {t, system.box.strain, system.box.strain_rate / units_.time, s.shear_external(), s.shear_internal(),
-          s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
+          corrected, s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
           static_cast<double>(s.external_register)};
   if (tensors_)
     for (const auto& [name, tensor] : tensor_columns) {
@@ -64,6 +67,7 @@ void StressTable::append(const System<2>& system, const StressTensors& s) {
   time_.push_back(t);
   internal_.push_back(s.shear_internal());
   external_.push_back(s.shear_external());
+  external_corrected_.push_back(corrected);
   periodic_.push_back(s.shear_periodic());
   virial_.push_back(s.shear_virial());
   pressure_.push_back(0.5 * (s.overall[0][0] + s.overall[1][1]));

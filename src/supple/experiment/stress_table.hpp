@@ -4,7 +4,7 @@
 
 #include "supple/experiment/recorder.hpp"
 #include "supple/model/units.hpp"
-#include "supple/observe/stress.hpp"
+#include "supple/observe/jump_correction.hpp"
 
 namespace supple {
 
@@ -13,11 +13,12 @@ class StressTable {
  public:
   /// with `tensors`, every component of every tensor, else the shear stresses alone.
   StressTable(Recorder& recorder, const Units& units, bool tensors);
-  void append(const System<2>& system, const StressTensors& stress);
+  void append(const System<2>& system, const Evaluation<2>& evaluation);
 
   const std::vector<double>& time() const { return time_; }
   const std::vector<double>& internal() const { return internal_; }
   const std::vector<double>& external() const { return external_; }
+  const std::vector<double>& external_corrected() const { return external_corrected_; }
   const std::vector<double>& periodic() const { return periodic_; }
   const std::vector<double>& virial() const { return virial_; }
   const std::vector<double>& pressure() const { return pressure_; }
@@ -26,7 +27,8 @@ class StressTable {
   Recorder& recorder_;
   Units units_;
   bool tensors_;
-  std::vector<double> row_, time_, internal_, external_, periodic_, virial_, pressure_;
+  JumpCorrection jumps_;
+  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, pressure_;
 };
 
 }  // namespace supple

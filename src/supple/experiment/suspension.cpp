@@ -5,6 +5,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/microgel.hpp"
+#include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/relaxation.hpp"
 #include "supple/model/convert.hpp"
 #include "supple/model/crosslink.hpp"
@@ -36,38 +37,22 @@ CrosslinkSpec crosslink_spec(const Case& c) {
 /// The shear stress amplitude to expect, A E/20: between free discs (E/40 at A = 0.2) and a bulk scaffold (E/5).
 double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
 
-}  // namespace
-
-bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
-
-Suspension make_suspension(const Case& c, const InitialState* initial) {
-  const MicrogelConstants k = derive_constants(c, initial);
-  Suspension s;
-  s.time_step = k.time_step;
-  s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
-  s.stepper = make_dynamics(c, initial, k);
-  if (initial) return s;
-  const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor, c.material.density};
-  s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
-  return s;
-}
-
+/// From a state file: contacts remember; plates as the state or the case says.
 void adopt_state(Suspension& s, const Case& c, const InitialState& initial) {
   s.system = initial.system;
   convert(s.system, initial.units, s.units);
-  set_history_width(s.system.pairs, 1);
+  set_history_width(s.system.pairs, is_package(c) ? 2 : 1);
   const bool plates = initial.applying_shear.value_or(true);
   s.stepper->set_plates(plates || c.is_given("box.plates") ? plates_of(c) : Plates::none);
 }
 
-void prepare(Suspension& s, const Case& c, Recorder& recorder) {
+void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double frequency, Recorder& recorder) {
   recorder.declare("preparation", {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
-  DiscDynamics& dynamics = static_cast<DiscDynamics&>(*s.stepper);
+  const double periods_to_steps = 1 / (s.time_step * frequency);
   RelaxationSpec spec;
   spec.time_step = s.time_step;
   spec.tolerance = c.preparation.stress_tolerance * expected_stress(c);
-  spec.most_steps = std::max<std::int64_t>(
-      1000, std::llround(c.preparation.max_relaxation_periods / (s.time_step * derive_constants(c, nullptr).frequency)));
+  spec.most_steps = std::max<std::int64_t>(1000, std::llround(c.preparation.max_relaxation_periods * periods_to_steps));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
     remove_drift(s.system);
@@ -87,8 +72,52 @@ void prepare(Suspension& s, const Case& c, Recorder& recorder) {
   dynamics.set_plates(plates_of(c));
   capture_at_boundaries(s.system, plates_of(c));
   relax_until_still("relax between plates", false);
+}
+
+Suspension make_documented(const Case& c, const InitialState* initial, Recorder& recorder) {
+  const MicrogelConstants k = derive_constants(c, initial);
+  Suspension s;
+  s.time_step = k.time_step;
+  s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
+  auto dynamics = make_dynamics(c, initial, k);
+  DiscDynamics& stepper = *dynamics;
+  s.stepper = std::move(dynamics);
+  if (initial) {
+    adopt_state(s, c, *initial);
+    return s;
+  }
+  const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor, c.material.density};
+  s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
+  prepare_documented(s, stepper, c, k.frequency, recorder);
   s.system.time = 0;
   s.system.step = 0;
+  return s;
+}
+
+Suspension make_package(const Case& c, const InitialState* initial, Recorder& recorder) {
+  const ParticleShearRun run = derive_particleshear(c, initial);
+  const bool reset = !initial || initial->reset_force_each_step;
+  auto stepper = std::make_unique<ParticleShearStepper>(run.constants,
+                                                        reset ? PlateForce::reset : PlateForce::accumulate);
+  ParticleShearStepper& package = *stepper;
+  Suspension s{particleshear_units(), {}, std::move(stepper), run.dt, run.damping};
+  if (initial) {
+    adopt_state(s, c, *initial);
+    return s;
+  }
+  s.system = prepare_particleshear(c, run, package, [&](std::int64_t done, std::int64_t total) {
+    if (done % 256 == 0) recorder.progress("prepare as the package does", done, total);
+    if (recorder.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted while preparing");
+  });
+  return s;
+}
+
+}  // namespace
+
+bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
+
+Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder) {
+  return is_package(c) ? make_package(c, initial, recorder) : make_documented(c, initial, recorder);
 }
 
 }  // namespace supple
