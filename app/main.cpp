@@ -1,1 +1,133 @@
-int main() { return 0; }
+/// The `supple` command: options, help and exit codes. What the commands do is in commands.hpp.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "supple/core/error.hpp"
+
+namespace {
+
+using supple::Existing;
+namespace command = supple::command;
+
+constexpr auto about =
+    "Supple: simulation of soft particles.\n"
+    "\n"
+    "  supple init oscillatory_shear     writes a case to edit: oscillatory_shear.toml\n"
+    "  supple check oscillatory_shear.toml\n"
+    "  supple run oscillatory_shear.toml\n"
+    "  supple show oscillatory_shear.h5";
+constexpr auto exit_codes =
+    "Exit codes: 0 done, 2 bad input, 3 numerics failed, 4 file trouble, 130 interrupted.\n"
+    "Help on one command: supple COMMAND --help";
+
+/// What the options of one call are read into.
+struct Options {
+  command::CaseChoice choice;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", section;
+  std::optional<int> frame;
+  bool force = false, json = false;
+
+  Existing existing() const { return force ? Existing::replace : Existing::refuse; }
+  command::Format format() const { return json ? command::Format::json : command::Format::text; }
+};
+
+void add_case(CLI::App& c, Options& o) {
+  c.add_option("case", o.choice.path, "Case to read (TOML)")->required()->type_name("CASE.toml");
+  c.add_option("--set", o.choice.set,
+               "Set a key of the case, e.g. --set shear.amplitude=0.5; can be repeated")
+      ->type_name("SECTION.KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  c.add_option("--threads", o.choice.threads, "Threads; results do not depend on them")
+      ->check(CLI::Range(1, 1024));
+}
+void add_run(CLI::App& c, Options& o) {
+  c.add_option("run", o.run, "Run to read (HDF5), finished or not")->required()->type_name("RUN.h5");
+}
+void add_output(CLI::App& c, Options& o, const std::string& help) {
+  c.add_option("-o,--output", o.output, help)->type_name("FILE");
+  c.add_flag("--force", o.force, "Overwrite what exists");
+}
+void add_json(CLI::App& c, Options& o) { c.add_flag("--json", o.json, "Print JSON, for scripts"); }
+
+void add_case_commands(CLI::App& app, Options& o) {
+  CLI::App* init = app.add_subcommand("init", "Write a commented case to start from");
+  init->add_option("experiment", o.experiment, "What to run: oscillatory_shear (default) or dynamics")
+      ->type_name("EXPERIMENT");
+  add_output(*init, o, "Case to write; - for the screen (default: EXPERIMENT.toml)");
+  init->callback([&] { command::init(o.experiment, o.output, o.existing()); });
+
+  CLI::App* check =
+      app.add_subcommand("check", "Validate a case; print derived numbers and warnings; run nothing");
+  add_case(*check, o);
+  add_json(*check, o);
+  check->callback([&] { command::check(o.choice, o.format()); });
+
+  CLI::App* run = app.add_subcommand("run", "Run a case. Ctrl-C stops it and keeps what it has");
+  add_case(*run, o);
+  add_output(*run, o, "Run to write (default: the name of the case with .h5)");
+  add_json(*run, o);
+  run->callback([&] { command::run(o.choice, o.output, o.existing(), o.format()); });
+
+  CLI::App* list =
+      app.add_subcommand("list", "List experiments, laws and every parameter with unit and meaning");
+  list->add_option("section", o.section, "Only this section of the case, e.g. material")
+      ->type_name("SECTION");
+  add_json(*list, o);
+  list->callback([&] { command::list(o.section, o.format()); });
+}
+
+void add_run_commands(CLI::App& app, Options& o) {
+  CLI::App* show =
+      app.add_subcommand("show", "Print the summary of a run: G', G'', pressure, contacts, time");
+  add_run(*show, o);
+  add_json(*show, o);
+  show->callback([&] { command::show(o.run, o.format()); });
+
+  CLI::App* exporting = app.add_subcommand("export", "Write a run in another format");
+  add_run(*exporting, o);
+  exporting
+      ->add_option("--to", o.to, "csv: tables; text: the published text format; state: final state as JSON")
+      ->check(CLI::IsMember({"csv", "text", "state"}))
+      ->capture_default_str();
+  add_output(*exporting, o, "File to write (default: the name of the run with .csv, .txt or .json)");
+  exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing()); });
+
+  CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: discs, links, contacts by state");
+  add_run(*snapshot, o);
+  snapshot->add_option("--frame", o.frame,
+                       "Which frame, from 0; negative: from the end (default: the most sheared)");
+  add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_cell.png)");
+  snapshot->callback([&] { command::snapshot(o.run, o.frame, o.output, o.existing()); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{about, "supple"};
+  app.footer(exit_codes);
+  app.set_version_flag("--version", "supple " SUPPLE_VERSION);
+  app.require_subcommand(1);
+  add_case_commands(app, options);
+  add_run_commands(app, options);
+  if (argc == 1) {
+    std::fputs(app.help().c_str(), stderr);
+    return static_cast<int>(supple::ErrorKind::input);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : static_cast<int>(supple::ErrorKind::input);
+  } catch (const supple::Error& e) {
+    std::fprintf(stderr, "supple: %s\n", e.what());
+    return e.exit_code();
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "supple: %s (unexpected; please report it)\n", e.what());
+    return static_cast<int>(supple::ErrorKind::numerics);
+  }
+}

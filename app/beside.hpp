@@ -1,0 +1,29 @@
+/// Names of the files that lie beside a run, and what several commands share.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "supple/experiment/case.hpp"
+#include "supple/experiment/initial_state.hpp"
+#include "supple/experiment/recorder.hpp"
+#include "supple/io/new_file.hpp"
+
+namespace supple {
+class RunFile;
+}
+
+namespace supple::command {
+
+/// "out/a.h5" and "_cell.png": "out/a_cell.png".
+std::string beside(const std::string& run, const std::string& ending);
+std::string plot_path(const std::string& run);
+std::string snapshot_path(const std::string& run);
+/// `to`: csv, text, state.
+std::string export_path(const std::string& run, const std::string& to);
+
+/// The state that [initial] names, if it names one.
+std::optional<InitialState> load_initial(const Case& c);
+
+void draw_frame(const RunFile& run, const Frame& frame, const std::string& path, Existing existing);
+
+}  // namespace supple::command

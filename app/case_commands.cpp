@@ -1,0 +1,170 @@
+/// init, check, list.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "beside.hpp"
+#include "commands.hpp"
+#include "supple/core/error.hpp"
+#include "supple/core/nearest_name.hpp"
+#include "supple/core/parallel.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/io/case_file.hpp"
+#include "supple/io/progress.hpp"
+#include "supple/io/state_file.hpp"
+
+namespace supple::command {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Keys that a first case of the experiment shows set, because everybody changes them.
+std::set<std::string> first_keys(const std::string& experiment) {
+  if (experiment == "dynamics") return {"experiment", "initial.state", "time.steps", "shear.rate"};
+  return {"experiment",          "seed",
+          "particles.N",         "particles.packing_fraction",
+          "particles.cut_lines", "material.young_modulus",
+          "material.friction",   "shear.amplitude"};
+}
+
+/// Wall time of a disc and step, for estimates before a run: the order of what scripts/bench measures.
+constexpr double seconds_per_disc_step = 150e-9;
+
+std::optional<double> find(const std::vector<Derived>& derived, const std::string& name) {
+  for (const Derived& d : derived)
+    if (d.name.name == name) return d.value;
+  return std::nullopt;
+}
+
+template <class P>
+Json parameter_json(const Field<P>& field, const P& defaults) {
+  Json j{{"name", field.name},
+         {"unit", field.unit},
+         {"meaning", field.meaning},
+         {"range", describe(field.range)}};
+  std::visit([&](auto member) { j["default"] = defaults.*member; }, field.member);
+  if (!field.choices.empty()) j["choices"] = field.choices;
+  return j;
+}
+
+Json parameters_json(const std::string& only) {
+  Json sections = Json::object();
+  const Case defaults;
+  for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
+    const std::string name = section.empty() ? "general" : std::string(section);
+    if (!only.empty() && only != name) return;
+    for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
+      sections[name].push_back(parameter_json(field, parameters));
+  });
+  return sections;
+}
+
+/// The commented case, or its part from the line [section] to the next one; "general": what stands above any
+/// section.
+std::string section_text(const std::string& section) {
+  const std::string text = write_case(Case{}, CaseStyle::commented);
+  if (section.empty()) return text;
+  const auto begin = section == "general" ? 0 : text.find("\n[" + section + "]") + 1;
+  const auto end = text.find("\n[", begin);
+  return text.substr(begin, end == text.npos ? end : end - begin);
+}
+
+}  // namespace
+
+std::optional<InitialState> load_initial(const Case& c) {
+  if (c.initial.state.empty()) return std::nullopt;
+  return read_state(c.initial.state);
+}
+
+Case load_case(const CaseChoice& choice) {
+  Case c = read_case(choice.path, choice.set);
+  if (choice.threads > 0) c.general.threads = choice.threads;
+  supple::check(c);
+  thread_count() = c.general.threads;
+  return c;
+}
+
+void init(const std::string& experiment, const std::string& path, Existing existing) {
+  std::vector<std::string> names;
+  for (const Experiment& e : experiments()) names.push_back(e.name);
+  if (std::find(names.begin(), names.end(), experiment) == names.end()) {
+    const auto near = nearest_name(experiment, names);
+    throw input_error(fmt::format("there is no experiment '{}'", experiment), "",
+                      near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(names));
+  }
+  Case c;
+  c.general.experiment = experiment;
+  c.given = first_keys(experiment);
+  if (experiment == "dynamics") {
+    c.initial.state = "state.json";
+    c.time.steps = 1000;
+  }
+  const std::string text = write_case(c, CaseStyle::commented);
+  if (path == "-") {
+    fmt::print("{}", text);
+    return;
+  }
+  const std::string name = path.empty() ? experiment + ".toml" : path;
+  NewFile file(name, existing);
+  file.write(text);
+  file.commit();
+  fmt::print("wrote {}\nnext: supple check {}, supple run {}\n", name, name, name);
+}
+
+void check(const CaseChoice& choice, Format format) {
+  const Case c = load_case(choice);
+  const std::optional<InitialState> initial = load_initial(c);
+  const std::vector<Derived> derived = derive(c, initial ? &*initial : nullptr);
+  const std::vector<std::string> doubts = find_doubts(c);
+  const int discs = initial ? initial->system.state.size() : c.particles.discs;
+  const auto steps = find(derived, "steps");
+  const double estimate = steps.value_or(0) * discs * seconds_per_disc_step / c.general.threads;
+
+  if (format == Format::json) {
+    Json j{{"case", choice.path}, {"experiment", c.general.experiment}, {"physics", c.general.physics}};
+    for (const Derived& d : derived)
+      j["derived"][d.name.name] = {{"value", d.value}, {"unit", d.name.unit}, {"meaning", d.name.meaning}};
+    if (steps) j["estimated_seconds"] = estimate;
+    j["warnings"] = doubts;
+    fmt::print("{}\n", j.dump(2));
+    return;
+  }
+  fmt::print("{}: sound\n{} of {} discs, {} model, seed {}\n\n", choice.path, c.general.experiment, discs,
+             c.general.physics, c.general.seed);
+  for (const Derived& d : derived)
+    fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
+  if (steps)
+    fmt::print("  {:<22} {:>12} {:<8} without preparation, roughly\n", "time to run",
+               describe_seconds(estimate), "");
+  for (const std::string& doubt : doubts) fmt::print("\nwarning: {}", doubt);
+  if (!doubts.empty()) fmt::print("\n");
+}
+
+void list(const std::string& section, Format format) {
+  const Json sections = parameters_json(section);
+  if (sections.empty()) {
+    std::vector<std::string> names;
+    const Json every = parameters_json("");
+    for (const auto& [name, parameters] : every.items()) names.push_back(name);
+    const auto near = nearest_name(section, names);
+    throw input_error(fmt::format("there is no section '{}'", section), "",
+                      near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(names));
+  }
+  Json all{{"parameters", sections}};
+  if (section.empty())
+    for (const Experiment& e : experiments()) all["experiments"][e.name] = e.meaning;
+  if (format == Format::json) {
+    fmt::print("{}\n", all.dump(2));
+    return;
+  }
+  if (section.empty()) {
+    fmt::print("Experiments\n");
+    for (const Experiment& e : experiments()) fmt::print("  {:<20} {}\n", e.name, e.meaning);
+    fmt::print("\nParameters, as in a case\n\n");
+  }
+  fmt::print("{}", section_text(section));
+}
+
+}  // namespace supple::command

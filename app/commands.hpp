@@ -1,0 +1,54 @@
+/// The commands behind `supple NAME`. They print to stdout, and progress and warnings to stderr; what goes
+/// wrong is thrown as supple::Error.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "supple/experiment/case.hpp"
+#include "supple/io/new_file.hpp"
+
+namespace supple::command {
+
+enum class Format { text, json };
+
+/// A case as named on the command line.
+struct CaseChoice {
+  std::string path;
+  std::vector<std::string> set;  ///< "section.key=value"
+  int threads = 0;               ///< 0: as the case says
+};
+
+/// Reads the case, applies --set and --threads, and checks it.
+Case load_case(const CaseChoice& choice);
+
+/// Writes a commented case of that experiment; `path` empty: EXPERIMENT.toml; "-": stdout.
+void init(const std::string& experiment, const std::string& path, Existing existing);
+
+/// Validates and prints derived numbers and doubts.
+void check(const CaseChoice& choice, Format format);
+
+/// Runs, writes the run file and what [output] asks for beside it, and prints the summary.
+/// `path` empty: what the case says, or the case's name with .h5 in the current folder.
+void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format);
+
+/// Experiments, laws and choices, every parameter with unit, default and meaning.
+void list(const std::string& section, Format format);
+
+/// Summary of a run.
+void show(const std::string& run_path, Format format);
+
+/// Writes a run as "csv", "text" (the published format) or "state" (the JSON layout); `path` empty: beside
+/// the run.
+void export_run(const std::string& run_path, const std::string& to, const std::string& path,
+                Existing existing);
+
+/// Draws frame `frame` (negative: counted from the end; none: the most sheared one); `path` empty: beside the
+/// run.
+void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& path,
+              Existing existing);
+
+/// Draws strain and stress against time and the Lissajous loop.
+void plot(const std::string& run_path, const std::string& path, Existing existing);
+
+}  // namespace supple::command

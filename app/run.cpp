@@ -1,0 +1,120 @@
+/// run: an experiment, its file, and the pictures and texts that the case asks for beside it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "beside.hpp"
+#include "commands.hpp"
+#include "supple/core/error.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/io/case_file.hpp"
+#include "supple/io/file_recorder.hpp"
+#include "supple/io/progress.hpp"
+#include "supple/io/run_file.hpp"
+#include "supple/io/state_file.hpp"
+
+namespace supple::command {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The first Ctrl-C asks the experiment to stop; the second one ends the program.
+void on_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+/// Writes the run and shows its progress on stderr.
+class CommandRecorder : public FileRecorder {
+ public:
+  CommandRecorder(const std::string& path, const Case& c, Existing existing)
+      : FileRecorder(path, c, write_case(c, CaseStyle::resolved), existing),
+        line_(std::cerr, isatty(STDERR_FILENO) ? ProgressLine::Style::bar : ProgressLine::Style::lines) {}
+
+  void progress(const std::string& phase, std::int64_t done, std::int64_t total) override {
+    line_.update(phase, done, total);
+  }
+  void warning(const std::string& text) override {
+    FileRecorder::warning(text);
+    line_.message("warning: " + text);
+  }
+  bool stop_requested() const override { return interrupted != 0; }
+  void end_progress() { line_.finish(); }
+
+ private:
+  ProgressLine line_;
+};
+
+std::string run_path(const Case& c, const std::string& case_path, const std::string& asked) {
+  if (!asked.empty()) return asked;
+  if (!c.output.file.empty()) return c.output.file;
+  return fs::path(case_path).stem().string() + ".h5";
+}
+
+std::string images_folder(const std::string& run) { return beside(run, "_images"); }
+
+/// Everything that the run will write must be writable before anything is computed.
+void check_outputs(const Case& c, const std::string& run, Existing existing) {
+  check_can_create(run, existing);
+  if (c.output.plot && c.general.experiment == "oscillatory_shear")
+    check_can_create(plot_path(run), existing);
+  if (c.output.snapshot) check_can_create(snapshot_path(run), existing);
+  if (c.output.text) check_can_create(export_path(run, "text"), existing);
+  if (c.output.images > 0 && existing == Existing::refuse && fs::exists(images_folder(run)))
+    throw file_error(images_folder(run) + " exists", "nothing is overwritten unless asked",
+                     "remove it, choose another name with -o, or give --force");
+}
+
+/// image0000000.png, ...: the number is the step.
+void draw_images(const Case& c, const std::string& run, Existing existing) {
+  const RunFile file(run);
+  const std::string folder = images_folder(run);
+  fs::create_directories(folder);
+  const std::int64_t frames = file.frames(), images = std::min<std::int64_t>(c.output.images, frames);
+  for (std::int64_t i = 0; i < images; ++i) {
+    const Frame frame = file.frame(images > 1 ? i * (frames - 1) / (images - 1) : frames - 1);
+    draw_frame(file, frame, fmt::format("{}/image{:07}.{}", folder, frame.step, c.output.image_format),
+               existing);
+  }
+}
+
+void write_beside(const Case& c, const std::string& run, Existing existing) {
+  if (c.output.snapshot) snapshot(run, std::nullopt, "", existing);
+  if (c.output.text) export_run(run, "text", "", existing);
+  if (c.output.images > 0) draw_images(c, run, existing);
+}
+
+}  // namespace
+
+void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
+  const Case c = load_case(choice);
+  const std::optional<InitialState> initial = load_initial(c);
+  derive(c, initial ? &*initial : nullptr);  // its input errors come before any file
+  const std::string file = run_path(c, choice.path, path);
+  check_outputs(c, file, existing);
+  for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);
+
+  CommandRecorder recorder(file, c, existing);
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  try {
+    supple::run(c, initial ? &*initial : nullptr, recorder);
+    recorder.end_progress();
+    recorder.finish("complete");
+  } catch (const Error& e) {
+    recorder.end_progress();
+    recorder.finish(e.kind() == ErrorKind::interrupted ? "interrupted" : std::string("failed: ") + e.what());
+    if (fs::exists(file)) throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
+    throw;
+  }
+  write_beside(c, file, existing);
+  show(file, format);
+}
+
+}  // namespace supple::command

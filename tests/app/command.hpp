@@ -1,0 +1,68 @@
+/// Runs the real command in a folder of its own.
+#pragma once
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace supple {
+
+/// What a command left: exit code, stdout, stderr.
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// An empty folder in which commands run; gone at the end of the test.
+class CommandTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("supple_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_ / "work");
+  }
+  void TearDown() override {
+    std::filesystem::permissions(path(""), std::filesystem::perms::owner_all);
+    std::filesystem::remove_all(folder_);
+  }
+
+  /// `supple ARGUMENTS` with the test's folder as the current one.
+  Outcome supple(const std::string& arguments) {
+    const std::string out = (folder_ / "out").string(), err = (folder_ / "err").string();
+    const std::string line = "cd '" + path("").string() + "' && '" SUPPLE_COMMAND "' " + arguments + " >'" +
+                             out + "' 2>'" + err + "'";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
+  }
+  std::filesystem::path path(const std::string& name) const { return folder_ / "work" / name; }
+  void write(const std::string& name, const std::string& text) { std::ofstream(path(name)) << text; }
+  bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
+  /// Number of files and folders that commands left.
+  int entries() const {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(path("")), {}));
+  }
+
+  /// A case that runs in well under a second.
+  void write_small_case(const std::string& name = "small.toml") {
+    write(name,
+          "[particles]\nN = 24\ncut_lines = 0\n[shear]\npre_periods = 0.5\nperiods = 2\npost_periods = 0.5\n"
+          "[output]\nframes = 4\nplot = false\nsnapshot = false\n");
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace supple

@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "supple/io/run_file.hpp"
+#include "tests/app/command.hpp"
+
+namespace supple {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class Run : public CommandTest {
+ protected:
+  json results(const std::string& run) {
+    return json::parse(supple("show " + run + " --json").out)["results"];
+  }
+};
+
+TEST_F(Run, LeavesARunAndPrintsItsModuli) {
+  write_small_case();
+  const Outcome run = supple("run small.toml");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("G'"));
+  EXPECT_THAT(run.err, HasSubstr("oscillatory shear"));
+  EXPECT_EQ(entries(), 2);
+  const RunFile file(path("small.h5").string());
+  EXPECT_EQ(file.status(), "complete");
+  EXPECT_EQ(file.resolved_case().particles.discs, 24);
+  EXPECT_GT(results("small.h5")["storage_modulus_internal"]["value"], 0);
+}
+
+TEST_F(Run, TheSameCaseGivesTheSameBits) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml -o a.h5").code, 0);
+  ASSERT_EQ(supple("run small.toml -o b.h5 --threads 2").code, 0);
+  const RunFile a(path("a.h5").string()), b(path("b.h5").string());
+  EXPECT_EQ(a.column("stress", a.columns("stress").back().name),
+            b.column("stress", b.columns("stress").back().name));
+}
+
+TEST_F(Run, ForceReplacesAnOldRun) {
+  write_small_case();
+  write("small.h5", "old");
+  ASSERT_EQ(supple("run small.toml --force").code, 0);
+  EXPECT_EQ(RunFile(path("small.h5").string()).status(), "complete");
+}
+
+TEST_F(Run, ImagesAreDrawnOnRequest) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml --set output.images=3 --set output.image_format=svg").code, 0);
+  EXPECT_TRUE(exists("small_images/image0000000.svg"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("small_images")), {}), 3);
+}
+
+TEST_F(Run, SnapshotsInEveryFormat) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml").code, 0);
+  for (const std::string ending : {"png", "jpg", "svg", "pdf", "ps"}) {
+    EXPECT_EQ(supple("snapshot small.h5 -o cell." + ending).code, 0);
+    EXPECT_GT(std::filesystem::file_size(path("cell." + ending)), 1000u);
+  }
+  const Outcome wrong = supple("snapshot small.h5 --frame 99 -o x.png");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("has no frame 99; give 0 to 4, or -1 for the last"));
+  EXPECT_EQ(supple("snapshot small.h5 -o x.bmp").code, 2);
+  EXPECT_EQ(supple("snapshot small.h5 -o cell.png").code, 4);
+}
+
+TEST_F(Run, TheFinalStateStartsAnotherRun) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml").code, 0);
+  const Outcome next = supple("run small.toml -o next.h5 --set initial.state=small.h5");
+  EXPECT_EQ(next.code, 0) << next.err;
+  ASSERT_EQ(supple("export small.h5 --to state -o state.json").code, 0);
+  EXPECT_EQ(supple("run small.toml -o json.h5 --set initial.state=state.json").code, 0);
+}
+
+TEST_F(Run, CtrlCKeepsWhatWasComputed) {
+  write_small_case();
+  const pid_t child = fork();
+  if (child == 0) {
+    std::filesystem::current_path(path(""));
+    std::freopen("log", "w", stderr);
+    execl(SUPPLE_COMMAND, "supple", "run", "small.toml", "--set", "shear.periods=100000", nullptr);
+    _exit(1);
+  }
+  for (int i = 0; i < 1000 && read_text(path("log")).find("oscillatory") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(read_text(path("log")), HasSubstr("what was computed is in small.h5"));
+  EXPECT_EQ(RunFile(path("small.h5").string()).status(), "interrupted");
+}
+
+TEST_F(Run, ExamplesAreSound) {
+  for (const std::string name : {"microgel", "dynamics_pair"}) {
+    const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
+    EXPECT_EQ(check.code, 0) << check.err;
+  }
+  ASSERT_EQ(supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml").code, 0);
+  EXPECT_EQ(RunFile(path("dynamics_pair.h5").string()).frames(), 200);
+}
+
+}  // namespace
+}  // namespace supple
