@@ -30,7 +30,7 @@ TEST_F(CaseCommands, UnknownCommandsAndOptionsAreBadInput) {
 TEST_F(CaseCommands, InitWritesACaseThatIsSound) {
   const Outcome init = supple("init");
   EXPECT_EQ(init.code, 0) << init.err;
-  EXPECT_THAT(read_text(path("oscillatory_shear.toml")), HasSubstr("# friction"));
+  EXPECT_THAT(read_text(path("oscillatory_shear.toml")), HasSubstr("\nfriction = 0.01"));
   const Outcome check = supple("check oscillatory_shear.toml");
   EXPECT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("oscillatory_shear.toml: sound"));

@@ -41,8 +41,8 @@ class CommandTest : public testing::Test {
   /// `supple ARGUMENTS` with the test's folder as the current one.
   Outcome supple(const std::string& arguments) {
     const std::string out = (folder_ / "out").string(), err = (folder_ / "err").string();
-    const std::string line = "cd '" + path("").string() + "' && '" SUPPLE_COMMAND "' " + arguments + " >'" +
-                             out + "' 2>'" + err + "'";
+    const std::string line = "cd '" + path("").string() + "' && " + prefix_ + "'" SUPPLE_COMMAND "' " +
+                             arguments + " >'" + out + "' 2>'" + err + "'";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
   }
@@ -61,8 +61,12 @@ class CommandTest : public testing::Test {
           "[output]\nframes = 4\nplot = false\nsnapshot = false\n");
   }
 
+  /// Root may write anywhere, so commands of a test of permissions run as somebody else.
+  void run_as_nobody() { prefix_ = "setpriv --reuid=65534 --regid=65534 --clear-groups "; }
+
  private:
   std::filesystem::path folder_;
+  std::string prefix_;
 };
 
 }  // namespace supple
