@@ -5,10 +5,11 @@
 #include "supple/contact/disc_contacts.hpp"
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/plates.hpp"
+#include "supple/force/terms.hpp"
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> contacts -> plates -> Evaluation. Evaluating changes nothing but
+/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates -> Evaluation. Evaluating changes nothing but
 /// the rows of System::pairs; only commit() lets contacts remember.
 class ForceField {
  public:
@@ -23,6 +24,7 @@ class ForceField {
     out.wall.clear();
     out.energy = {};
     out.virial = {};
+    terms_.evaluate(system, detail, out);
     contacts_.evaluate(system, system.lag, detail, out);
     if (repulsive_plates_) evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
   }
@@ -36,11 +38,13 @@ class ForceField {
 
   void invalidate() { neighbors_.invalidate(); }
   void set_repulsive_plates(bool repulsive) { repulsive_plates_ = repulsive; }
+  TermSet<2>& terms() { return terms_; }
   DiscContacts& contacts() { return contacts_; }
   const DiscContacts& contacts() const { return contacts_; }
   const NeighborList<2>& neighbors() const { return neighbors_; }
 
  private:
+  TermSet<2> terms_;
   DiscContacts contacts_;
   NeighborList<2> neighbors_;
   bool repulsive_plates_ = false;

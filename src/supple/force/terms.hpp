@@ -1,0 +1,42 @@
+/// Everything conservative that acts inside bodies.
+#pragma once
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "supple/force/term_block.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// The terms of a system. They see the positions of State as they are: bodies stay unwrapped.
+template <int Dim>
+class TermSet {
+ public:
+  /// Adds a term on these stencils (Term::arity sites each), with one parameter set for all of them or one for each.
+  /// Input error if these numbers do not match or a site is negative.
+  template <ConservativeTerm<Dim> Term>
+  void add(Term, std::vector<std::array<std::int32_t, Term::arity>> stencils, std::vector<typename Term::Param> params) {
+    blocks_.push_back(std::make_shared<StencilBlock<Term, Dim>>(std::move(stencils), std::move(params)));
+  }
+
+  bool empty() const { return blocks_.empty(); }
+
+  /// Adds forces; with Detail::energies also energy.terms and the virial. Same bits for any number of threads.
+  void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const {
+    for (const auto& block : blocks_) block->evaluate(system.state, detail, out);
+  }
+
+  /// Name and energy of each term, in the order they were added.
+  std::vector<std::pair<std::string, double>> energies(const System<Dim>& system) const {
+    std::vector<std::pair<std::string, double>> parts;
+    for (const auto& block : blocks_) parts.emplace_back(block->name(), block->energy(system.state));
+    return parts;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const TermBlock<Dim>>> blocks_;  // immutable: copies of a set may share them
+};
+
+}  // namespace supple
