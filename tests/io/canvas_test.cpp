@@ -4,15 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "supple/core/error.hpp"
-#include "tests/support/file_bytes.hpp"
+#include "tests/io/temporary_folder.hpp"
 
 namespace supple {
 namespace {
 
+using testing::content_of;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using testing::file_bytes;
-using testing::ScratchFolder;
 
 void draw_sample(const std::string& path) {
   Canvas canvas(path, 72, 36, 200);
@@ -27,20 +26,20 @@ int big_endian(const std::string& bytes, std::size_t at, int count) {
   return value;
 }
 
-TEST(Canvas, WritesPngOfTheSizeThatPointsAndResolutionGive) {
-  const ScratchFolder folder;
-  draw_sample(folder / "a.png");
-  const std::string bytes = file_bytes(folder / "a.png");
+class CanvasTest : public testing::TemporaryFolder {};
+
+TEST_F(CanvasTest, WritesPngOfTheSizeThatPointsAndResolutionGive) {
+  draw_sample(in_folder("a.png"));
+  const std::string bytes = content_of(in_folder("a.png"));
   ASSERT_THAT(bytes, StartsWith("\x89PNG\r\n\x1a\n"));
   EXPECT_EQ(big_endian(bytes, 16, 4), 200);
   EXPECT_EQ(big_endian(bytes, 20, 4), 100);
   EXPECT_THAT(bytes, HasSubstr("IEND"));
 }
 
-TEST(Canvas, WritesJpegOfTheSameSize) {
-  const ScratchFolder folder;
-  draw_sample(folder / "a.jpg");
-  const std::string bytes = file_bytes(folder / "a.jpg");
+TEST_F(CanvasTest, WritesJpegOfTheSameSize) {
+  draw_sample(in_folder("a.jpg"));
+  const std::string bytes = content_of(in_folder("a.jpg"));
   ASSERT_THAT(bytes, StartsWith("\xff\xd8\xff"));
   const std::size_t frame = bytes.find("\xff\xc0");  // start of frame: marker, length, bits, height, width
   ASSERT_NE(frame, std::string::npos);
@@ -49,23 +48,21 @@ TEST(Canvas, WritesJpegOfTheSameSize) {
   EXPECT_EQ(bytes.substr(bytes.size() - 2), "\xff\xd9");
 }
 
-TEST(Canvas, WritesVectorFormats) {
-  const ScratchFolder folder;
-  for (const char* name : {"a.svg", "a.pdf", "a.ps"}) draw_sample(folder / name);
-  EXPECT_THAT(file_bytes(folder / "a.svg"), HasSubstr("width=\"72pt\" height=\"36pt\""));
-  EXPECT_THAT(file_bytes(folder / "a.svg"), HasSubstr("</svg>"));
-  EXPECT_THAT(file_bytes(folder / "a.pdf"), StartsWith("%PDF-"));
-  EXPECT_THAT(file_bytes(folder / "a.pdf"), HasSubstr("%%EOF"));
-  EXPECT_THAT(file_bytes(folder / "a.ps"), StartsWith("%!PS-Adobe"));
-  EXPECT_THAT(file_bytes(folder / "a.ps"), HasSubstr("%%EOF"));
+TEST_F(CanvasTest, WritesVectorFormats) {
+  for (const char* name : {"a.svg", "a.pdf", "a.ps"}) draw_sample(in_folder(name));
+  EXPECT_THAT(content_of(in_folder("a.svg")), HasSubstr("width=\"72pt\" height=\"36pt\""));
+  EXPECT_THAT(content_of(in_folder("a.svg")), HasSubstr("</svg>"));
+  EXPECT_THAT(content_of(in_folder("a.pdf")), StartsWith("%PDF-"));
+  EXPECT_THAT(content_of(in_folder("a.pdf")), HasSubstr("%%EOF"));
+  EXPECT_THAT(content_of(in_folder("a.ps")), StartsWith("%!PS-Adobe"));
+  EXPECT_THAT(content_of(in_folder("a.ps")), HasSubstr("%%EOF"));
 }
 
-TEST(Canvas, LeavesNothingBesideTheFile) {
-  const ScratchFolder folder;
-  draw_sample(folder / "a.png");
-  EXPECT_EQ(folder.files(), 1u);
-  { Canvas abandoned(folder / "b.png", 10, 10); }
-  EXPECT_EQ(folder.files(), 1u);
+TEST_F(CanvasTest, LeavesNothingBesideTheFile) {
+  draw_sample(in_folder("a.png"));
+  EXPECT_EQ(files(), 1u);
+  { Canvas abandoned(in_folder("b.png"), 10, 10); }
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST(Canvas, NamesTheValidEndingsForAnUnknownOne) {
@@ -81,9 +78,8 @@ TEST(Canvas, NamesTheValidEndingsForAnUnknownOne) {
   EXPECT_EQ(picture_format("A.PNG"), PictureFormat::png);
 }
 
-TEST(Canvas, FailsAsAFileErrorWhereItCannotWrite) {
-  const ScratchFolder folder;
-  for (const std::string& path : {folder / "missing/a.png", folder / "missing/a.svg"}) {
+TEST_F(CanvasTest, FailsAsAFileErrorWhereItCannotWrite) {
+  for (const std::string& path : {in_folder("missing/a.png"), in_folder("missing/a.svg")}) {
     try {
       draw_sample(path);
       FAIL() << path;

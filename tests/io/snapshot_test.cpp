@@ -5,14 +5,14 @@
 
 #include "supple/core/error.hpp"
 #include "supple/io/particle_colors.hpp"
-#include "tests/support/file_bytes.hpp"
+#include "tests/io/count_of.hpp"
+#include "tests/io/temporary_folder.hpp"
 
 namespace supple {
 namespace {
 
+using testing::content_of;
 using testing::count_of;
-using testing::file_bytes;
-using testing::ScratchFolder;
 
 /// Two crosslinked particles of two discs and a single disc, none near the boundary, in SI.
 struct Sample {
@@ -43,51 +43,48 @@ constexpr const char* link_color = "33.333333%,33.333333%,33.333333%";
 constexpr const char* slip_color = "80%,6.666667%,26.666667%";
 constexpr const char* stick_color = "0%,20%,66.666667%";
 
-TEST(Snapshot, DrawsOneShapeForEachDiscAndOneLineForEachContact) {
-  const ScratchFolder folder;
+class SnapshotTest : public testing::TemporaryFolder {};
+
+TEST_F(SnapshotTest, DrawsOneShapeForEachDiscAndOneLineForEachContact) {
   const Sample sample;
-  draw_snapshot(folder / "a.svg", sample.info, sample.frame);
-  const std::string svg = file_bytes(folder / "a.svg");
-  // Each colour of disc also stands in the legend: two particles of three samples, and the grey of single discs.
-  EXPECT_EQ(count_of(svg, "fill:rgb(46.666667%,66.666667%,86.666667%)"), 2 + 1);
-  EXPECT_EQ(count_of(svg, "fill:rgb(93.333333%,86.666667%,53.333333%)"), 2 + 1);
-  EXPECT_EQ(count_of(svg, "fill:rgb(86.666667%,86.666667%,86.666667%)"), 1 + 1);
+  SnapshotOptions options;
+  for (int i = 0; i < 5; ++i) options.color.push_back({0.2 * i, 1, 0.5});
+  draw_snapshot(in_folder("a.svg"), sample.info, sample.frame, options);
+  const std::string svg = content_of(in_folder("a.svg"));
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(count_of(svg, "fill:rgb(" + std::to_string(20 * i) + "%,100%,50%)"), 1);
   EXPECT_EQ(strokes(svg, link_color), 2 + 2);  // in the legend: compressed, and in tension
   EXPECT_EQ(strokes(svg, slip_color), 1 + 1);
   EXPECT_EQ(strokes(svg, stick_color), 0);  // no such contact, no such entry
   EXPECT_EQ(count_of(svg, "stroke-dasharray"), 2);
 }
 
-TEST(Snapshot, WritesEveryFormat) {
-  const ScratchFolder folder;
+TEST_F(SnapshotTest, WritesEveryFormat) {
   const Sample sample;
   for (const char* name : {"a.png", "a.jpg", "a.svg", "a.pdf", "a.ps"}) {
-    draw_snapshot(folder / name, sample.info, sample.frame);
-    EXPECT_GT(file_bytes(folder / name).size(), 1000u) << name;
+    draw_snapshot(in_folder(name), sample.info, sample.frame);
+    EXPECT_GT(content_of(in_folder(name)).size(), 1000u) << name;
   }
 }
 
-TEST(Snapshot, IsTheSamePageForEveryStrainThatRoomIsLeftFor) {
-  const ScratchFolder folder;
+TEST_F(SnapshotTest, IsTheSamePageForEveryStrainThatRoomIsLeftFor) {
   Sample sample;
   SnapshotOptions options;
   options.strain_room = 0.2;
   std::vector<std::string> sizes;
   for (const double strain : {0.0, 0.2, -0.2}) {
     sample.frame.strain = strain;
-    draw_snapshot(folder / "a.png", sample.info, sample.frame, options);
-    sizes.push_back(file_bytes(folder / "a.png").substr(16, 8));
+    draw_snapshot(in_folder("a.png"), sample.info, sample.frame, options);
+    sizes.push_back(content_of(in_folder("a.png")).substr(16, 8));
   }
   EXPECT_EQ(sizes[0], sizes[1]);
   EXPECT_EQ(sizes[0], sizes[2]);
 }
 
-TEST(Snapshot, DrawsARunWithoutContactsAndOneWithoutPeriodicity) {
-  const ScratchFolder folder;
+TEST_F(SnapshotTest, DrawsARunWithoutContactsAndOneWithoutPeriodicity) {
   Sample sample;
   sample.frame.contacts.clear();
   sample.info.box.periodic = {false, false};
-  EXPECT_NO_THROW(draw_snapshot(folder / "a.png", sample.info, sample.frame));
+  EXPECT_NO_THROW(draw_snapshot(in_folder("a.png"), sample.info, sample.frame));
 }
 
 TEST(Snapshot, RefusesAFrameOfAnotherRun) {
@@ -104,23 +101,24 @@ TEST(Snapshot, WidestLineIsTheStrongestForceInNewtonPerMetre) {
 }
 
 TEST(ParticleColors, DifferBetweenNeighboursAndAreGreyForSingleDiscs) {
-  // A row of 30 touching particles of two discs, closed over the period, and one disc alone.
+  // A ring of 27 touching particles of two discs, closed over the period, and one disc alone. Neighbours are 8 numbers
+  // apart, so that colours given in turn would clash.
   Box<2> box;
-  box.length = {60, 60};
+  box.length = {54, 60};
   Frame frame;
   std::vector<std::int32_t> particle;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 54; ++i) {
     frame.position.push_back({i + 0.5, 30});
-    particle.push_back(i / 2);
+    particle.push_back(i / 2 * 8 % 27);
   }
   frame.position.push_back({10, 50});
-  particle.push_back(30);
-  const auto color = disc_colors(particle, lay_out_cell(box, std::vector<double>(61, 0.6), frame, 1));
-  for (int i = 0; i < 60; ++i) {
-    const bool same_particle = particle[i] == particle[(i + 1) % 60];
-    EXPECT_EQ(color[i] == color[(i + 1) % 60], same_particle) << i;
+  particle.push_back(27);
+  const auto color = disc_colors(particle, lay_out_cell(box, std::vector<double>(55, 0.6), frame, 1));
+  for (int i = 0; i < 54; ++i) {
+    const int next = (i + 1) % 54;
+    EXPECT_EQ(color[i] == color[next], particle[i] == particle[next]) << i;
   }
-  EXPECT_EQ(color[60], pale_gray);
+  EXPECT_EQ(color[54], pale_gray);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 
@@ -20,7 +21,11 @@ class TemporaryFolder : public ::testing::Test {
   }
   ~TemporaryFolder() override { std::filesystem::remove_all(folder_); }
 
+  const std::string& folder() const { return folder_; }
   std::string in_folder(const std::string& name) const { return folder_ + "/" + name; }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
+  }
 
  private:
   std::string folder_;

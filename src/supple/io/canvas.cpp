@@ -13,7 +13,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
-#include "supple/io/file.hpp"
+#include "supple/io/new_file.hpp"
 
 namespace supple {
 
@@ -247,7 +247,9 @@ void Canvas::finish() {
     cairo_show_page(surface_->context);
     cairo_surface_finish(surface_->surface);
   }
-  write_whole_file(path_, bytes);
+  NewFile file(path_, Existing::replace);
+  file.write(bytes);
+  file.commit();
 }
 
 }  // namespace supple

@@ -131,6 +131,11 @@ double drawn_strain(const Box<2>& box) {
   return box.strain - repeat * std::round(box.strain / repeat);
 }
 
+Box<2> sheared(Box<2> box, double strain) {
+  box.strain = strain;
+  return box;
+}
+
 CellScene lay_out_cell(const Box<2>& box, std::span<const double> radius, const Frame& frame, double margin) {
   const std::size_t n = radius.size();
   CellScene scene;

@@ -40,6 +40,9 @@ struct CellScene {
 /// equal lattices, within +-Lx/(2 Ly).
 double drawn_strain(const Box<2>& box);
 
+/// The box at this strain.
+Box<2> sheared(Box<2> box, double strain);
+
 /// The cell (box.strain is the strain) leaning about mid-height, with the images of discs and contacts that show within
 /// `margin` of it. Arrays of the frame must have as many sites as `radius`.
 CellScene lay_out_cell(const Box<2>& box, std::span<const double> radius, const Frame& frame, double margin);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
+#include <tuple>
 
 namespace supple {
 
@@ -16,6 +18,10 @@ std::vector<std::set<std::int32_t>> touching_particles(std::span<const std::int3
     for (const std::int32_t other : disc.across)
       if (other >= 0 && particle[other] != particle[disc.site]) touching[particle[disc.site]].insert(particle[other]);
   return touching;
+}
+
+double distance(Color a, Color b) {
+  return std::hypot(a.red - b.red, a.green - b.green, a.blue - b.blue);
 }
 
 }  // namespace
@@ -33,17 +39,27 @@ std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const Cel
   for (std::size_t p = 0; p < count; ++p) {
     if (discs[p] < 2) continue;
     std::array<int, colors> clashes{};
-    for (const std::int32_t other : touching[p])
-      if (choice[other] != none) ++clashes[choice[other]];
+    std::array<double, colors> likeness{};  // to the most similar neighbour
+    for (const std::int32_t other : touching[p]) {
+      if (choice[other] == none) continue;
+      ++clashes[choice[other]];
+      for (int c = 0; c < colors; ++c)
+        likeness[c] = std::max(likeness[c], 1 / (0.01 + distance(area_palette[c], area_palette[choice[other]])));
+    }
+    const auto cost = [&](int c) { return std::tuple(clashes[c], uses[c], likeness[c]); };
     int best = 0;
     for (int c = 1; c < colors; ++c)
-      if (std::pair(clashes[c], uses[c]) < std::pair(clashes[best], uses[best])) best = c;
+      if (cost(c) < cost(best)) best = c;
     choice[p] = best;
     ++uses[best];
   }
   std::vector<Color> color;
   for (const std::int32_t p : particle) color.push_back(choice[p] == none ? pale_gray : area_palette[choice[p]]);
   return color;
+}
+
+std::vector<Color> disc_colors(const RunInfo& info, const Frame& frame) {
+  return disc_colors(info.particle, lay_out_cell(sheared(info.box, frame.strain), info.radius, frame, 0));
 }
 
 }  // namespace supple

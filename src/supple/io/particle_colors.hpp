@@ -10,8 +10,10 @@
 
 namespace supple {
 
-/// Colour of each disc. Particles of one disc are grey; particles that touch differ while the palette allows it, and
-/// colours are used evenly. The same for every frame in which the same particles touch.
+/// Colour of each disc. Particles of one disc are grey; colours are used evenly; particles that touch differ while the
+/// palette allows it, and by as much as it allows. Another frame, in which others touch, may give other colours.
 std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const CellScene& scene);
+/// The same for a frame: pictures of one run that shall agree take the colours of one frame.
+std::vector<Color> disc_colors(const RunInfo& info, const Frame& frame);
 
 }  // namespace supple

@@ -71,10 +71,6 @@ class SnapshotPage {
   }
 
  private:
-  static Box<2> sheared(Box<2> box, double strain) {
-    box.strain = strain;
-    return box;
-  }
   bool periodic() const { return box_.periodic[0] || box_.periodic[1]; }
 
   Point on_page(const Vec2& x) const {

@@ -1,0 +1,285 @@
+#include "supple/io/chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "supple/core/error.hpp"
+#include "supple/io/canvas.hpp"
+#include "supple/io/ticks.hpp"
+
+namespace supple {
+
+namespace {
+
+constexpr double edge = 8, gap = 9, column_gap = 16;                      // [pt]
+constexpr double text_size = 8, tick_size = 7, row_height = 11, tick_length = 3;  // [pt]
+constexpr double frame_width = 0.6, resolution = 0.15;
+constexpr Color band_text = gray;
+
+/// The numbers along one axis: shown = SI / factor.
+struct Scale {
+  double low = 0, high = 1, factor = 1;  // low, high in SI
+  std::string title;
+  Ticks ticks;                           // in shown numbers
+
+  double share(double value) const { return (value - low) / (high - low); }
+};
+
+using Interval = std::pair<double, double>;
+
+Interval finite_range(const ChartPanel& panel, std::vector<double> ChartSeries::*values) {
+  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const ChartSeries& s : panel.series)
+    for (std::size_t i = 0; i < (s.*values).size(); ++i) {
+      const double value = (s.*values)[i];
+      const double error = values == &ChartSeries::y && i < s.error.size() ? s.error[i] : 0;
+      if (!std::isfinite(value) || !std::isfinite(error)) continue;
+      range = {std::min(range.first, value - error), std::max(range.second, value + error)};
+    }
+  if (range.first > range.second) return {0, 1};
+  if (range.first == range.second) {
+    const double half = range.first == 0 ? 1 : 0.1 * std::abs(range.first);
+    return {range.first - half, range.second + half};
+  }
+  return range;
+}
+
+Scale make_scale(const ChartAxis& axis, Interval range, int tick_count) {
+  Scale scale{range.first, range.second, 1, axis.label, {}};
+  std::string unit = axis.unit;
+  if (unit == "%") {
+    scale.factor = 0.01;
+  } else if (!unit.empty() && !std::isdigit(static_cast<unsigned char>(unit[0]))) {
+    const Prefix prefix = si_prefix(std::max(std::abs(range.first), std::abs(range.second)));
+    scale.factor = prefix.factor;
+    unit = prefix.symbol + unit;
+  }
+  if (!unit.empty()) scale.title += " (" + unit + ")";
+  do scale.ticks = nice_ticks(range.first / scale.factor, range.second / scale.factor, tick_count);
+  while (scale.ticks.at.size() < 3 && ++tick_count < 9);  // less than three tell little
+  return scale;
+}
+
+/// One panel on its place; drawn when the layout of the whole column is known.
+class PlacedPanel {
+ public:
+  PlacedPanel(Canvas& canvas, const ChartPanel& panel, double width) : canvas_(canvas), panel_(panel) {
+    for (const ChartSeries& s : panel.series)
+      if (!s.label.empty()) legend_.push_back(&s);
+    layout_legend(width);
+  }
+
+  double header_height() const {
+    return row_height * static_cast<double>(panel_.heading.size() + legend_rows_.size()) + (header_empty() ? 0 : 3);
+  }
+
+  void set_place(double top, double bottom) {
+    top_ = top;
+    bottom_ = bottom;
+    Interval y = panel_.y.range ? *panel_.y.range : finite_range(panel_, &ChartSeries::y);
+    if (!panel_.y.range) {
+      const double span = y.second - y.first, per_point = span / std::max(bottom - top, 1.0);
+      const double names = has_band_names() ? (tick_size + 3) * per_point : 0;
+      y = {y.first - 0.06 * span, y.second + 0.06 * span + names};
+    }
+    y_ = make_scale(panel_.y, y, std::clamp(static_cast<int>((bottom - top) / 28), 2, 6));
+  }
+  double y_label_width() const {
+    double widest = 0;
+    for (double tick : y_.ticks.at)
+      widest = std::max(widest, canvas_.text_width(tick_label(tick, y_.ticks.step), {.size = tick_size}));
+    return widest + tick_length + 2 + 4 + text_size;
+  }
+  void set_columns(double left, double right, const Scale& x) {
+    left_ = left;
+    right_ = right;
+    x_ = x;
+  }
+
+  void draw(bool lowest) {
+    draw_header();
+    const std::array<Point, 4> box{Point{left_, top_}, {right_, top_}, {right_, bottom_}, {left_, bottom_}};
+    canvas_.clipped(box, ClipTo::inside, [&] {
+      draw_bands();
+      if (y_.low < 0 && y_.high > 0) canvas_.line(at(x_.low, 0), at(x_.high, 0), {pale_gray, 0.6});
+      if (x_.low < 0 && x_.high > 0) canvas_.line(at(0, y_.low), at(0, y_.high), {pale_gray, 0.6});
+      for (const ChartSeries& s : panel_.series) draw_series(s);
+    });
+    name_bands();
+    canvas_.rectangle(box[0], box[2], {{}, Pen{ink, frame_width}});
+    draw_y_axis();
+    draw_x_axis(lowest);
+  }
+
+ private:
+  bool header_empty() const { return panel_.heading.empty() && legend_rows_.empty(); }
+  bool has_band_names() const {
+    return std::any_of(panel_.bands.begin(), panel_.bands.end(), [](const ChartBand& b) { return !b.label.empty(); });
+  }
+  Point at(double x, double y) const {
+    return {left_ + x_.share(x) * (right_ - left_), bottom_ - y_.share(y) * (bottom_ - top_)};
+  }
+
+  static constexpr double sample = 16, sample_gap = 4, entry_gap = 12;
+  double entry_width(const ChartSeries& s) const {
+    return sample + sample_gap + canvas_.text_width(s.label, {.size = tick_size}) + entry_gap;
+  }
+  void layout_legend(double width) {
+    double used = width + 1;  // starts a row
+    for (const ChartSeries* s : legend_) {
+      if (used + entry_width(*s) - entry_gap > width) {
+        legend_rows_.emplace_back();
+        used = 0;
+      }
+      legend_rows_.back().push_back(s);
+      used += entry_width(*s);
+    }
+  }
+
+  void draw_header() {
+    double y = top_ - header_height() + 0.5 * row_height;
+    for (const std::string& line : panel_.heading) {
+      canvas_.text({left_, y}, line, {.size = text_size, .down = Down::middle});
+      y += row_height;
+    }
+    for (const auto& row : legend_rows_) {
+      double x = left_;
+      for (const ChartSeries* s : row) {
+        if (s->marks == Marks::points)
+          canvas_.circle({x + sample / 2, y}, s->width, {s->color, {}});
+        else
+          canvas_.line({x, y}, {x + sample, y}, {s->color, std::max(s->width, 1.0), s->dash});
+        canvas_.text({x + sample + sample_gap, y}, s->label, {.size = tick_size, .down = Down::middle});
+        x += entry_width(*s);
+      }
+      y += row_height;
+    }
+  }
+
+  void draw_bands() {
+    for (const ChartBand& b : panel_.bands)
+      canvas_.rectangle({at(b.from, 0)[0], top_}, {at(b.to, 0)[0], bottom_}, {b.color, {}});
+  }
+  /// Where the name fits its band.
+  void name_bands() {
+    const TextStyle style{.size = tick_size, .color = band_text, .across = Across::centre, .down = Down::top};
+    for (const ChartBand& b : panel_.bands) {
+      const double from = std::max(at(b.from, 0)[0], left_), to = std::min(at(b.to, 0)[0], right_);
+      if (canvas_.text_width(b.label, style) + 4 < to - from)
+        canvas_.text({0.5 * (from + to), top_ + 3}, b.label, style);
+    }
+  }
+
+  void draw_series(const ChartSeries& s) {
+    const std::size_t n = std::min(s.x.size(), s.y.size());
+    for (std::size_t i = 0; i < std::min(n, s.error.size()); ++i) draw_error(s, i);
+    if (s.marks == Marks::points) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (std::isfinite(s.x[i]) && std::isfinite(s.y[i])) canvas_.circle(at(s.x[i], s.y[i]), s.width, {s.color, {}});
+      return;
+    }
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < n; ++i) points.push_back(at(s.x[i], s.y[i]));
+    canvas_.polyline(thin(points, resolution), {s.color, s.width, s.dash});
+  }
+  void draw_error(const ChartSeries& s, std::size_t i) {
+    if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i]) || !(s.error[i] > 0)) return;
+    const Point low = at(s.x[i], s.y[i] - s.error[i]), high = at(s.x[i], s.y[i] + s.error[i]);
+    const Pen pen{s.color, 0.7};
+    canvas_.line(low, high, pen);
+    for (const Point& end : {low, high}) canvas_.line(end - Point{2, 0}, end + Point{2, 0}, pen);
+  }
+
+  void draw_y_axis() {
+    for (const double tick : y_.ticks.at) {
+      const double y = at(0, tick * y_.factor)[1];
+      canvas_.line({left_ - tick_length, y}, {left_, y}, {ink, frame_width});
+      canvas_.text({left_ - tick_length - 2, y}, tick_label(tick, y_.ticks.step),
+                   {.size = tick_size, .across = Across::right, .down = Down::middle});
+    }
+    canvas_.text({left_ - y_label_width() + text_size - 2, 0.5 * (top_ + bottom_)}, y_.title,
+                 {.size = text_size, .across = Across::centre, .turn = Turn::left});
+  }
+  void draw_x_axis(bool lowest) {
+    for (const double tick : x_.ticks.at) {
+      const double x = at(tick * x_.factor, 0)[0];
+      canvas_.line({x, bottom_}, {x, bottom_ + tick_length}, {ink, frame_width});
+      if (lowest)
+        canvas_.text({x, bottom_ + tick_length + 2}, tick_label(tick, x_.ticks.step),
+                     {.size = tick_size, .across = Across::centre, .down = Down::top});
+    }
+    if (lowest)
+      canvas_.text({0.5 * (left_ + right_), bottom_ + tick_length + 2 + tick_size + 4}, x_.title,
+                   {.size = text_size, .across = Across::centre, .down = Down::top});
+  }
+
+  Canvas& canvas_;
+  const ChartPanel& panel_;
+  std::vector<const ChartSeries*> legend_;
+  std::vector<std::vector<const ChartSeries*>> legend_rows_;
+  double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
+  Scale x_, y_;
+};
+
+constexpr double x_axis_height = tick_length + 2 + tick_size + 4 + text_size;  // [pt]
+
+/// The x axis that the panels of a column share.
+Scale column_scale(const ChartColumn& column, double width) {
+  const ChartAxis& axis = column.panels.back().x;
+  Interval range = axis.range ? *axis.range : finite_range(column.panels.front(), &ChartSeries::x);
+  for (const ChartPanel& panel : column.panels) {
+    if (axis.range || panel.series.empty()) continue;
+    const Interval here = finite_range(panel, &ChartSeries::x);
+    range = {std::min(range.first, here.first), std::max(range.second, here.second)};
+  }
+  return make_scale(axis, range, std::clamp(static_cast<int>(width / 45), 2, 8));
+}
+
+void draw_column(Canvas& canvas, const ChartColumn& column, double left, double right) {
+  // Legends wrap at the width without the labels of the y axis, which are not known yet: 40 pt is ample.
+  std::vector<PlacedPanel> panels;
+  double headers = 0, weights = 0;
+  for (const ChartPanel& panel : column.panels) {
+    panels.emplace_back(canvas, panel, right - left - 40);
+    headers += panels.back().header_height();
+    weights += panel.weight;
+  }
+  const double gaps = gap * static_cast<double>(panels.size() - 1);
+  const double height = canvas.height() - 2 * edge - x_axis_height - headers - gaps;
+  double y = edge, labels = 0;
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const double top = y + panels[p].header_height();
+    y = top + height * column.panels[p].weight / weights;
+    panels[p].set_place(top, y);
+    labels = std::max(labels, panels[p].y_label_width());
+    y += gap;
+  }
+  const Scale x = column_scale(column, right - left - labels);
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    panels[p].set_columns(left + labels, right, x);
+    panels[p].draw(p + 1 == panels.size());
+  }
+}
+
+}  // namespace
+
+void draw_chart(const std::string& path, const Chart& chart) {
+  Canvas canvas(path, chart.width, chart.height, chart.dots_per_inch);
+  double weights = 0;
+  for (const ChartColumn& column : chart.columns) {
+    if (column.panels.empty()) throw input_error("a column of a chart has no panel");
+    weights += column.weight;
+  }
+  const double usable = chart.width - 2 * edge - column_gap * static_cast<double>(chart.columns.size() - 1);
+  double left = edge;
+  for (const ChartColumn& column : chart.columns) {
+    const double width = usable * column.weight / weights;
+    draw_column(canvas, column, left, left + width);
+    left += width + column_gap;
+  }
+  canvas.finish();
+}
+
+}  // namespace supple
