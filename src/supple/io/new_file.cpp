@@ -70,8 +70,8 @@ NewFile::~NewFile() {
   unlink(temporary_.c_str());
 }
 
-void NewFile::write(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+void NewFile::write(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
     throw file_error("cannot write " + path_, std::strerror(errno));
 }
 
@@ -80,6 +80,12 @@ void NewFile::commit() {
   publish_file(temporary_, path_, existing_);
   std::fclose(file_);
   file_ = nullptr;
+}
+
+void write_whole_file(const std::string& path, std::string_view bytes) {
+  NewFile file(path, Existing::replace);
+  file.write(bytes);
+  file.commit();
 }
 
 }  // namespace supple

@@ -16,7 +16,7 @@ void check_can_create(const std::string& path, Existing existing);
 /// `path` exists and may not be replaced.
 void publish_file(const std::string& temporary, const std::string& path, Existing existing);
 
-/// A text file being written beside its place; commit() moves it there. Without commit nothing is left.
+/// A file being written beside its place; commit() moves it there. Without commit nothing is left.
 class NewFile {
  public:
   explicit NewFile(std::string path, Existing existing = Existing::refuse);
@@ -24,7 +24,7 @@ class NewFile {
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
-  void write(std::string_view text);
+  void write(std::string_view bytes);
   void commit();
 
  private:
@@ -32,5 +32,8 @@ class NewFile {
   Existing existing_;
   std::FILE* file_;
 };
+
+/// The same for bytes that are in memory; a file of that name is replaced.
+void write_whole_file(const std::string& path, std::string_view bytes);
 
 }  // namespace supple
