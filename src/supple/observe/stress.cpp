@@ -5,72 +5,84 @@
 namespace supple {
 namespace {
 
-/// Sums over the contacts of one kind: F l^T, and the torques T_i + T_j = F_t d (S1-3).
+/// Sums over contacts of F l^T, and of the torques T_i + T_j = F_t d (S1-3). With F = -P n + F_t t and l = -d n,
+///     F l^T = d P n n^T - d F_t t n^T,
+/// where n n^T is symmetric to the last bit.
 struct ContactSums {
-  Mat2 force_lever;
-  double torque = 0;
+  double xx = 0, xy = 0, yx = 0, yy = 0, torque = 0;
+
+  void add(const PairForce<2>& p) {
+    const double central = p.distance * (p.elastic + p.viscous), couple = p.distance * p.tangential;
+    const double nxx = p.normal[0] * p.normal[0], nxy = p.normal[0] * p.normal[1], nyy = p.normal[1] * p.normal[1];
+    xx += central * nxx + couple * nxy;
+    xy += central * nxy + couple * nyy;
+    yx += central * nxy - couple * nxx;
+    yy += central * nyy - couple * nxy;
+    torque += couple;
+  }
   ContactSums& operator+=(const ContactSums& b) {
-    force_lever += b.force_lever;
-    torque += b.torque;
+    xx += b.xx; xy += b.xy; yx += b.yx; yy += b.yy; torque += b.torque;
     return *this;
   }
+  Mat2 love_weber() const { return {{{xx, xy}, {yx, yy}}}; }
+  Mat2 torque_tensor() const { return {{{0, -0.5 * torque}, {0.5 * torque, 0}}}; }
 };
 
-Mat2 torque_tensor(double torque) {
-  Mat2 m;
-  m[0][1] = -0.5 * torque;
-  m[1][0] = 0.5 * torque;
-  return m;
-}
-
-/// Disjoint kinds of contact; the tensors are sums of kinds, so that a tensor without contacts is exactly zero.
-enum Kind { internal, across_flow, other, kinds };
-
 void add_contacts(const System<2>& system, const Evaluation<2>& evaluation, StressTensors& s) {
-  const auto& position = system.state.position;
-  const auto& mobility = system.state.mobility;
+  const Vec2* position = system.state.position.data();
+  const Mobility* mobility = system.state.mobility.data();
   const Vec2 centre = system.box.centre();
-  ContactSums sums[kinds];
-  for (std::size_t row = 0; row < evaluation.pair.size(); ++row) {
+  // Disjoint kinds of contact: a tensor is a sum of kinds, so that one without contacts is exactly zero.
+  ContactSums internal, across_flow, other;
+  Mat2 external;
+  int pair_register = 0, external_register = 0;
+  const std::size_t rows = evaluation.pair.size();
+  for (std::size_t row = 0; row < rows; ++row) {
     const PairForce<2>& p = evaluation.pair[row];
     if (!p.active) continue;
     const auto i = system.pairs.first[row], j = system.pairs.second[row];
     const bool first_free = mobility[i] == Mobility::free, second_free = mobility[j] == Mobility::free;
-    const bool both_free = first_free && second_free;
-    const Kind kind = both_free && !p.crosses ? internal : both_free && p.up == 0 ? across_flow : other;
-
-    const Vec2 force = force_on_first(p);
-    sums[kind].force_lever.add_outer(-p.distance, force, p.normal);
-    sums[kind].torque += p.tangential * p.distance;
-    if (kind == internal) {
-      s.pair_register += 8;
+    const bool both_free = first_free & second_free;
+    if (both_free & !p.crosses) {
+      internal.add(p);
+      pair_register += 8;
       continue;
     }
-    if (first_free) s.external.add_outer(-1, force, position[i] - centre);
-    if (second_free) s.external.add_outer(1, force, position[j] - centre);
-    s.external_register += 4 * (first_free + second_free);
+    (both_free && p.up == 0 ? across_flow : other).add(p);
+    const Vec2 force = force_on_first(p);
+    if (first_free) external.add_outer(-1, force, position[i] - centre);
+    if (second_free) external.add_outer(1, force, position[j] - centre);
+    external_register += 4 * (first_free + second_free);
   }
-  for (const SiteForce<2>& wall : evaluation.wall)
-    s.external.add_outer(-1, wall.force, position[wall.site] - centre);
-  s.love_weber = sums[internal].force_lever;
-  s.internal_torque = torque_tensor(sums[internal].torque);
-  s.love_weber_periodic = s.love_weber + sums[across_flow].force_lever;
-  s.virial = s.love_weber_periodic + sums[other].force_lever;
-  s.tangential_torque = torque_tensor(sums[internal].torque + sums[across_flow].torque + sums[other].torque);
+  for (const SiteForce<2>& wall : evaluation.wall) external.add_outer(-1, wall.force, position[wall.site] - centre);
+
+  s.pair_register = pair_register;
+  s.external_register = external_register;
+  s.external = external;
+  s.love_weber = internal.love_weber();
+  s.internal_torque = internal.torque_tensor();
+  internal += across_flow;
+  s.love_weber_periodic = internal.love_weber();
+  internal += other;
+  s.virial = internal.love_weber();
+  s.tangential_torque = internal.torque_tensor();
 }
 
 void add_sites(const System<2>& system, const Evaluation<2>& evaluation, StressTensors& s) {
   const State<2>& state = system.state;
   const Vec2 centre = system.box.centre();
+  Mat2 acceleration, otsuki;
   double rotational_energy = 0;
   for (int i = 0; i < state.size(); ++i) {
     if (state.mobility[i] != Mobility::free) continue;
     const Vec2 peculiar = synchronised_velocity(system, evaluation, i) - system.box.flow_velocity(state.position[i]);
-    s.linear_acceleration.add_outer(1, evaluation.force[i], state.position[i] - centre);
-    s.otsuki.add_outer(-state.mass[i], peculiar, peculiar);
     const double spin = synchronised_spin(system, evaluation, i);
+    acceleration.add_outer(1, evaluation.force[i], state.position[i] - centre);
+    otsuki.add_outer(-state.mass[i], peculiar, peculiar);
     rotational_energy += 0.5 * state.inertia[i] * (spin * spin);
   }
+  s.linear_acceleration = acceleration;
+  s.otsuki = otsuki;
   s.centrifugal[0][0] = s.centrifugal[1][1] = -rotational_energy;
 }
 

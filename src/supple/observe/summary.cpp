@@ -2,16 +2,6 @@
 
 namespace supple {
 
-Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
-  const State<2>& s = system.state;
-  if (s.mobility[i] != Mobility::free) return s.velocity[i];
-  return s.velocity[i] + 0.5 * system.lag / s.mass[i] * evaluation.force[i];
-}
-
-double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
-  return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
-}
-
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   Momenta sum;

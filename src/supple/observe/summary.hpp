@@ -6,8 +6,14 @@
 namespace supple {
 
 /// Velocity and spin of site i at the instant of the forces. A leapfrog keeps them half a step earlier (System::lag).
-Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
-double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i);
+inline Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
+  const State<2>& s = system.state;
+  if (s.mobility[i] != Mobility::free) return s.velocity[i];
+  return s.velocity[i] + 0.5 * system.lag / s.mass[i] * evaluation.force[i];
+}
+inline double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
+  return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
+}
 
 /// linear: sum m v; angular: sum m (x v_y - y v_x) + I w about the corner of the cell. All sites.
 struct Momenta {
