@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "supple/experiment/microgel.hpp"
-#include "supple/experiment/suspension.hpp"
+#include "tests/support/prepared.hpp"
 
 namespace supple {
 namespace {
@@ -19,13 +18,6 @@ Case frictional(const char* plates, bool links) {
   return c;
 }
 
-Suspension prepared(const Case& c) {
-  Suspension s = make_suspension(c, nullptr);
-  MemoryRecorder recorder;
-  prepare(s, c, recorder);
-  return s;
-}
-
 struct Account {
   EnergyFlows flows;
   double change = 0, residual = 0;
@@ -33,10 +25,9 @@ struct Account {
 
 /// One cycle of 20 % strain in so many steps, from this state.
 Account shear_one_cycle(System<2> system, const Case& c, int steps) {
-  const MicrogelConstants k = derive_constants(c, nullptr);
-  const std::unique_ptr<DiscDynamics> dynamics = make_dynamics(c, nullptr, k);
+  const std::unique_ptr<DiscDynamics> dynamics = make_dynamics(c, nullptr, derive_constants(c, nullptr));
   dynamics->set_plates(plates_of(c));
-  const OscillatoryProtocol protocol{0.2, k.frequency, 0, 1, 0, steps};
+  const OscillatoryProtocol protocol = testing::one_cycle(c, steps);
   EnergyBalance balance;
   dynamics->set_account(&balance);
   const Evaluation<2>& now = dynamics->evaluate(system, {});
@@ -44,14 +35,14 @@ Account shear_one_cycle(System<2> system, const Case& c, int steps) {
   const double before = energy_state(system, now).total();
   for (int i = 0; i < steps; ++i) {
     dynamics->evaluate(system, protocol.rates(i));
-    dynamics->advance(system, protocol.rates(i), protocol.time_step(), std::pow(c.shear.cool_factor, 1.0 / steps));
+    dynamics->advance(system, protocol.rates(i), protocol.time_step(), testing::damping(c, steps));
   }
   dynamics->evaluate(system, {});
   return {balance.flows(system, now), energy_state(system, now).total() - before, balance.residual(system, now)};
 }
 
 void expect_closed(const Case& c) {
-  const Suspension s = prepared(c);
+  const Suspension s = testing::prepared_suspension(c);
   double coarser = 0;
   for (const int steps : {1120, 2240, 4480}) {
     const Account a = shear_one_cycle(s.system, c, steps);
@@ -70,7 +61,7 @@ TEST(EnergyBalance, ClosesOverACycleBetweenRepulsivePlates) { expect_closed(fric
 
 TEST(EnergyBalance, EveryChannelTakesPart) {
   const Case c = frictional("capture", false);
-  const Account a = shear_one_cycle(prepared(c).system, c, 1120);
+  const Account a = shear_one_cycle(testing::prepared_suspension(c).system, c, 1120);
   const EnergyFlows& f = a.flows;
   for (const double part : {f.plates, f.images, f.shear_rate, f.viscous, f.tangential_viscous, f.sliding, f.background, a.change})
     EXPECT_GT(std::abs(part), 5e-3 * f.work());

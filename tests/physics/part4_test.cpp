@@ -1,10 +1,9 @@
 /// The test cases of the particleShear documentation, part 4 (Tables S4-2 to S4-11), in the documented model.
 #include <gtest/gtest.h>
 
-#include "supple/experiment/microgel.hpp"
-#include "supple/experiment/suspension.hpp"
 #include "supple/observe/stress.hpp"
 #include "supple/observe/summary.hpp"
+#include "tests/support/prepared.hpp"
 
 namespace supple {
 namespace {
@@ -210,13 +209,12 @@ StressTensors assembly(int count, bool links, Load load) {
   Case c;
   c.particles.discs = count;
   c.particles.permanent_links = links;
-  Suspension s = make_suspension(c, nullptr);
-  MemoryRecorder recorder;
-  prepare(s, c, recorder);
-  const OscillatoryProtocol protocol{0.2, derive_constants(c, nullptr).frequency, 0, 1, 0, 4480};
+  Suspension s = testing::prepared_suspension(c);
+  constexpr int steps = 4480;
+  const OscillatoryProtocol protocol = testing::one_cycle(c, steps);
   for (int i = 0; load == Load::shear && i < 1200; ++i) {
     s.stepper->evaluate(s.system, protocol.rates(i));
-    s.stepper->advance(s.system, protocol.rates(i), protocol.time_step(), s.damping);
+    s.stepper->advance(s.system, protocol.rates(i), protocol.time_step(), testing::damping(c, steps));
   }
   EXPECT_NEAR(s.system.box.strain, load == Load::shear ? 0.2 : 0, 0.01);
   return stress_tensors(s.system, s.stepper->evaluate(s.system, {}), s.units.stress());

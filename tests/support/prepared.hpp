@@ -1,0 +1,24 @@
+/// Prepared suspensions for physics tests: relaxed, crosslinked, between plates, as a case asks.
+#pragma once
+#include <cmath>
+
+#include "supple/experiment/microgel.hpp"
+#include "supple/experiment/protocol.hpp"
+#include "supple/experiment/suspension.hpp"
+
+namespace supple::testing {
+
+inline Suspension prepared_suspension(const Case& c) {
+  MemoryRecorder recorder;
+  return make_suspension(c, nullptr, recorder);
+}
+
+/// One cycle of the case's amplitude and frequency in so many steps, without rests.
+inline OscillatoryProtocol one_cycle(const Case& c, int steps) {
+  return {c.shear.amplitude, derive_constants(c, nullptr).frequency, 0, 1, 0, steps};
+}
+
+/// Damping per step: cool_factor per cycle.
+inline double damping(const Case& c, int steps_per_cycle) { return std::pow(c.shear.cool_factor, 1.0 / steps_per_cycle); }
+
+}  // namespace supple::testing
