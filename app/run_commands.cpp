@@ -9,6 +9,8 @@
 #include "beside.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
+#include "supple/io/csv.hpp"
+#include "supple/io/published_text.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/io/snapshot.hpp"
 #include "supple/io/state_file.hpp"
@@ -66,12 +68,12 @@ void show_moduli(const std::vector<RunValue>& results) {
     const auto other = std::find_if(results.begin(), results.end(), [&](const RunValue& v) {
       return v.name.name == std::string(loss) + estimator;
     });
-    if (first) fmt::print("\n  {:<12} {:<22} {:<22}\n", "", "G'", "G''");
+    if (first) fmt::print("\n  {:<18} {:<22} {}\n", "", "G'", "G''");
     first = false;
     const std::string second = other == results.end() ? "" : with_error(*other);
     const std::string_view from =
         std::string_view(g.name.meaning).substr(std::min<std::size_t>(3, g.name.meaning.size()));
-    fmt::print("  {:<12} {:<22} {:<22} {}\n", estimator, with_error(g), second, from);
+    fmt::print("  {:<18} {:<22} {:<22} {}\n", estimator, with_error(g), second, from);
   }
 }
 
@@ -127,7 +129,9 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
                 Existing existing) {
   const std::string file = path.empty() ? export_path(run_path, to) : path;
   check_can_create(file, existing);
-  write_state_json(read_state(run_path), file, existing);
+  if (to == "csv") export_csv(RunFile(run_path), file, existing);
+  else if (to == "text") export_published_text(RunFile(run_path), file, existing);
+  else write_state_json(read_state(run_path), file, existing);
 }
 
 void draw_frame(const RunFile& run, const Frame& frame, const std::string& path, Existing existing) {

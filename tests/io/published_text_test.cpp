@@ -103,7 +103,7 @@ void record_sample_text(Recorder& to) {
   value("constants", "time_constant", sample_number("Characteristic time constant = "));
   value("constants", "frequency", sample_number("Frequency = "));
   value("constants", "time_step", sample_number("Time step = "));
-  value("constants", "damping_per_step", sample_number("Damping factor = "));
+  value("constants", "damping_factor", sample_number("Damping factor = "));
   value(material_group, "k", sample_number("Central spring constant k = "));
   value(material_group, "nu", sample_number("Central viscosity constant nu = "));
   value(material_group, "k_t", sample_number("Lateral spring constant k_t = "));

@@ -47,7 +47,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));
-  for (const Derived& d : derive_dynamics(c, initial)) recorder.value("constants", d.name, d.value);
+  record_constants(s, derive_dynamics(c, initial), recorder);
   StressTable table(recorder, s.units, c.output.tensors);
   const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
   for (std::int64_t i = 0; i < steps; ++i) {

@@ -37,31 +37,47 @@ void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k
   k.smallest_mass = *std::min_element(mass.begin(), mass.end());
 }
 
-/// Stiffness and viscosity of contacts and links: contacts are re-enforced, links keep the base values.
-DiscLaw make_law(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
+/// Stiffness and viscosity of contacts: re-enforced, while links keep the base values. SI; every constant is set.
+MaterialConstants resolve_material(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
   const Material& m = c.material;
   const MaterialConstants stored = initial ? initial->material : MaterialConstants{};
   const Units units = initial ? initial->units : si_units();
   const double central = m.interface_reenforcement_central, tangential = m.interface_reenforcement_tangential;
   const double viscosity = m.relative_viscosity * std::sqrt(k.mean_mass * k.k);
-  const bool keep = stored.keep_viscosity_coefficients_constant.value_or(m.keep_viscosity_coefficients_constant);
+  const double transversal = m.relative_transversal_link_strength;
+  const auto take = [&](const char* key, std::optional<double> of_state, double unit, double of_case) {
+    return from_state(c, key, of_state, unit, of_case);
+  };
 
+  MaterialConstants out;
+  const char* keep_key = "material.keep_viscosity_coefficients_constant";
+  out.keep_viscosity_coefficients_constant = c.is_given(keep_key)
+      ? m.keep_viscosity_coefficients_constant
+      : stored.keep_viscosity_coefficients_constant.value_or(m.keep_viscosity_coefficients_constant);
+  const bool keep = *out.keep_viscosity_coefficients_constant;
+  out.k = take("material.young_modulus", stored.k, units.stiffness(), k.k * central);
+  out.k_t = take("material.young_modulus", stored.k_t, units.stiffness(), k.k * transversal * tangential);
+  out.nu = take("material.relative_viscosity", stored.nu, units.viscosity(), viscosity * (keep ? 1 : central));
+  out.nu_t = take("material.relative_viscosity", stored.nu_t, units.viscosity(),
+                  viscosity * transversal * (keep ? 1 : tangential));
+  out.mu = take("material.friction", stored.mu, 1, m.friction);
+  out.central_repulsion_coefficient = take("material.central_repulsion_coefficient",
+                                           stored.central_repulsion_coefficient, 1, m.central_repulsion_coefficient);
+  out.permanent_ratio_central = take("material.interface_reenforcement_central", stored.permanent_ratio_central, 1,
+                                     1 / central);
+  out.permanent_ratio_tangential = take("material.interface_reenforcement_tangential",
+                                        stored.permanent_ratio_tangential, 1, 1 / tangential);
+  return out;
+}
+
+DiscLaw make_law(const Material& m, const MaterialConstants& material) {
+  const double central = *material.permanent_ratio_central, tangential = *material.permanent_ratio_tangential;
+  const bool keep = *material.keep_viscosity_coefficients_constant;
   DiscLaw law;
-  const auto stiffness = [&](std::optional<double> x, double of_case) {
-    return from_state(c, "material.young_modulus", x, units.stiffness(), of_case);
-  };
-  const auto drag = [&](std::optional<double> x, double of_case) {
-    return from_state(c, "material.relative_viscosity", x, units.viscosity(), of_case);
-  };
-  const double ratio_t = m.relative_transversal_link_strength;
-  law.contact = {stiffness(stored.k, k.k * central), drag(stored.nu, viscosity * (keep ? 1 : central)),
-                 stiffness(stored.k_t, k.k * ratio_t * tangential),
-                 drag(stored.nu_t, viscosity * ratio_t * (keep ? 1 : tangential))};
-  const double link_central = stored.permanent_ratio_central.value_or(1 / central);
-  const double link_tangential = stored.permanent_ratio_tangential.value_or(1 / tangential);
-  law.link = {law.contact.k * link_central, law.contact.eta * (keep ? 1 : link_central),
-              law.contact.k_t * link_tangential, law.contact.eta_t * (keep ? 1 : link_tangential)};
-  law.friction = from_state(c, "material.friction", stored.mu, 1, m.friction);
+  law.contact = {*material.k, *material.nu, *material.k_t, *material.nu_t};
+  law.link = {law.contact.k * central, law.contact.eta * (keep ? 1 : central), law.contact.k_t * tangential,
+              law.contact.eta_t * (keep ? 1 : tangential)};
+  law.friction = *material.mu;
   law.tension = Tensile(m.tensile_law == "exponential" ? Tensile::Kind::exponential
                         : m.tensile_law == "saturating" ? Tensile::Kind::saturating
                                                         : Tensile::Kind::linear,
@@ -93,10 +109,7 @@ double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double s
   return least;
 }
 
-Repulsion make_repulsion(const Case& c, const MaterialConstants& material) {
-  const Material& m = c.material;
-  const double share = from_state(c, "material.central_repulsion_coefficient", material.central_repulsion_coefficient, 1,
-                                  m.central_repulsion_coefficient);
+Repulsion make_repulsion(const Material& m, double share) {
   if (m.elastic_law == "linear") return Divergent(0);
   if (m.elastic_law == "hertz") return Hertz();
   if (m.elastic_law == "plateau") return Plateau(share, m.plateau_begin, m.plateau_end, m.plateau_slope);
@@ -114,14 +127,15 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   MicrogelConstants k;
   set_masses(c, initial, k);
   k.k = pi / 8 * c.material.young_modulus;
-  k.law = make_law(c, initial, k);
+  k.material = resolve_material(c, initial, k);
+  k.law = make_law(c.material, k.material);
   if (initial && initial->material.k && !c.is_given("material.young_modulus")) k.k = k.law.link.k;
   k.tau = std::sqrt(k.mean_mass / k.k);
   k.frequency = c.shear.relative_frequency / k.tau;
   if (initial && !c.is_given("shear.relative_frequency"))
     if (const auto f = initial->protocol.find("f"); f != initial->protocol.end()) k.frequency = f->second / initial->units.time;
 
-  const Repulsion repulsion = make_repulsion(c, initial ? initial->material : MaterialConstants{});
+  const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass);
   k.time_step = step_share * k.stable_step * c.time.step_factor;
   if (initial && c.general.experiment == "dynamics")
@@ -148,9 +162,9 @@ Plates plates_of(const Case& c) {
   return c.box.plates == "repulsive" ? Plates::repulsive : c.box.plates == "none" ? Plates::none : Plates::capture;
 }
 
-std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
-  const MaterialConstants material = initial ? initial->material : MaterialConstants{};
-  return std::make_unique<DiscDynamics>(ForceField(DiscContacts(make_repulsion(c, material), k.law)));
+std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const MicrogelConstants& k) {
+  const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
+  return std::make_unique<DiscDynamics>(ForceField(DiscContacts(repulsion, k.law)));
 }
 
 }  // namespace supple

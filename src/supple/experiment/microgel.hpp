@@ -19,6 +19,7 @@ struct MicrogelConstants {
   double tau = 0;        ///< sqrt(m/k) [s]
   double frequency = 0;  ///< [Hz]
   double stable_step = 0, time_step = 0;  ///< [s]
+  MaterialConstants material;  ///< SI, every one set: what a continuation starts with
   DiscLaw law;
 };
 
@@ -29,8 +30,8 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
 /// What a run records of them.
 std::vector<Derived> derived_constants(const MicrogelConstants& k);
 
-/// The repulsion law that the case names.
-Repulsion make_repulsion(const Case& c, const MaterialConstants& material);
+/// The repulsion law that the case names; c is the central repulsion coefficient.
+Repulsion make_repulsion(const Material& material, double c);
 
 /// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by six
 /// contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened s-fold by a 50 % overlap, damping ratio z = 6 (eta + 3 eta_t)/(2 m w).
@@ -44,6 +45,6 @@ inline constexpr double step_share = 0.15;
 Plates plates_of(const Case& c);
 
 /// The stepper of the documented model, with its friction switched on and no plates yet.
-std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const InitialState* initial, const MicrogelConstants& k);
+std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const MicrogelConstants& k);
 
 }  // namespace supple

@@ -94,7 +94,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   s.system.time = 0;
   s.system.step = 0;
   recorder.begin(make_run_info(s.system, s.units));
-  for (const Derived& d : derive_oscillatory_shear(c, initial)) recorder.value("constants", d.name, d.value);
+  record_constants(s, derive_oscillatory_shear(c, initial), recorder);
 
   StressTable table(recorder, s.units, c.output.tensors);
   FrameSchedule frames(protocol.rows, c.output.images > 0 ? c.output.images : c.output.frames);

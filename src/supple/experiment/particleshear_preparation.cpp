@@ -132,7 +132,8 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
   const auto seed = static_cast<std::uint64_t>(c.general.seed);
   const Particles& p = c.particles;
   Box<2> box;
-  box.length = {c.box.width / units.length, c.box.height / units.length};
+  const double per_metre = 1 / units.length;  // a power of ten: 500 um stay 500 exactly
+  box.length = {c.box.width * per_metre, c.box.height * per_metre};
   System<2> system = package_discs(
       box, {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()}, seed);
   std::fill(system.state.angle.begin(), system.state.angle.end(), -std::numbers::pi / 2);

@@ -17,7 +17,8 @@ namespace {
 
 Box<2> make_box(const Case& c, const Units& units) {
   Box<2> box;
-  box.length = {c.box.width / units.length, c.box.height / units.length};
+  const double per_metre = 1 / units.length;  // a power of ten: 500 um stay 500 exactly
+  box.length = {c.box.width * per_metre, c.box.height * per_metre};
   if (c.box.boundary == "fixed") box.periodic = {false, false};
   return box;
 }
@@ -65,7 +66,9 @@ void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, do
   relax_until_still("relax with friction", false);
   if (c.particles.permanent_links) {
     dynamics.evaluate(s.system, {});
-    crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
+    const CrosslinkReport report = crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
+    if (c.particles.remove_link_fraction > 0)
+      recorder.value("constants", {"removed_link_fraction", "", "links removed at random"}, report.removed_fraction);
     dynamics.invalidate();
     relax_until_still("relax crosslinked particles", false);
   }
@@ -79,7 +82,8 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   Suspension s;
   s.time_step = k.time_step;
   s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
-  auto dynamics = make_dynamics(c, initial, k);
+  s.material = k.material;
+  auto dynamics = make_dynamics(c, k);
   DiscDynamics& stepper = *dynamics;
   s.stepper = std::move(dynamics);
   if (initial) {
@@ -94,13 +98,18 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   return s;
 }
 
+MaterialConstants material_of(const ParticleShearConstants& p) {
+  return {p.k, p.nu, p.k_t, p.nu_t, p.mu, p.central_repulsion_coefficient, p.permanent_ratio_central,
+          p.permanent_ratio_tangential, p.keep_viscosity_coefficients_constant};
+}
+
 Suspension make_package(const Case& c, const InitialState* initial, Recorder& recorder) {
   const ParticleShearRun run = derive_particleshear(c, initial);
   const bool reset = !initial || initial->reset_force_each_step;
   auto stepper = std::make_unique<ParticleShearStepper>(run.constants,
                                                         reset ? PlateForce::reset : PlateForce::accumulate);
   ParticleShearStepper& package = *stepper;
-  Suspension s{particleshear_units(), {}, std::move(stepper), run.dt, run.damping};
+  Suspension s{particleshear_units(), {}, std::move(stepper), run.dt, run.damping, material_of(run.constants)};
   if (initial) {
     adopt_state(s, c, *initial);
     return s;
@@ -115,6 +124,13 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
 }  // namespace
 
 bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
+
+void record_constants(const Suspension& s, const std::vector<Derived>& derived, Recorder& recorder) {
+  for (const Derived& d : derived) recorder.value("constants", d.name, d.value);
+  for_each_constant(s.material, [&](const char* name, const auto& constant) {
+    if (constant) recorder.value(material_group, {name, "", "constant of the contact law, in the units of the run"}, *constant);
+  });
+}
 
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder) {
   return is_package(c) ? make_package(c, initial, recorder) : make_documented(c, initial, recorder);

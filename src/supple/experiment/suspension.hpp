@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
 #include "supple/solve/stepper.hpp"
@@ -15,12 +16,16 @@ struct Suspension {
   System<2> system;
   std::unique_ptr<Stepper> stepper;
   double time_step = 0, damping = 1;
+  MaterialConstants material;
 };
 
 /// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed, crosslinked and
 /// cut, relaxed again, plates in place. Progress and the table "preparation" go to the recorder. Throws a numerics error
 /// if the discs do not come to rest, and what make_* of the fidelity throw. Time starts at the state's own.
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
+
+/// Records the derived numbers, and the constants of the contact law that a continuation starts with.
+void record_constants(const Suspension& s, const std::vector<Derived>& derived, Recorder& recorder);
 
 /// Whether the case asks for what the published package computes.
 bool is_package(const Case& c);

@@ -29,7 +29,7 @@ struct Facts {
     tau = constant("time_constant");
     frequency = constant("frequency");
     time_step = constant("time_step");
-    damping = constant("damping_per_step");
+    damping = constant("damping_factor");
     removed_links = run.find_value("constants", "removed_link_fraction").value_or(0);
 
     const auto material = [&](const char* name, double unit = 1) { return run.value(material_group, name) * unit; };
