@@ -40,7 +40,8 @@ class SnapshotPage {
   SnapshotPage(const std::string& path, const RunInfo& info, const Frame& frame, const SnapshotOptions& options)
       : info_(info), frame_(frame), options_(options), box_(sheared(info.box, frame.strain)),
         scale_(options.cell_size / std::max(box_.length[0], box_.length[1])), rim_(surroundings * options.cell_size),
-        lean_(std::max(std::abs(drawn_strain(box_)), options.strain_room) * box_.length[gradient] * scale_),
+        lean_(std::max(std::abs(drawn_strain(box_)), options.strain_room) *
+              (box_.length[gradient] * scale_ + 2 * rim_)),
         scene_(lay_out_cell(box_, info.radius, frame, periodic() ? rim_ / scale_ : 0)),
         color_(options.color.empty() ? disc_colors(info.particle, scene_) : options.color),
         canvas_(path, 2 * page_edge + 2 * rim_ + lean_ + box_.length[flow] * scale_ + legend_width,
@@ -192,7 +193,7 @@ class SnapshotPage {
       title = fmt::format("t = {}     \u03b3 = {}\u00a0%", with_unit(frame_.time * info_.units.time, "s"),
                           tick_label(100 * frame_.strain, 0.1));
       if (std::abs(drawn_strain(box_) - box_.strain) > 1e-9)
-        title += fmt::format("     (drawn by its periodic equal, {}\u00a0%)", tick_label(100 * drawn_strain(box_), 0.1));
+        title += fmt::format("     (drawn at the equivalent {}\u00a0%)", tick_label(100 * drawn_strain(box_), 0.1));
     }
     canvas_.text({page_edge + rim_, title_height - 3}, title, {.size = 11});
   }
