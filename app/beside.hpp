@@ -8,10 +8,6 @@
 #include "supple/experiment/recorder.hpp"
 #include "supple/io/new_file.hpp"
 
-namespace supple {
-class RunFile;
-}
-
 namespace supple::command {
 
 /// "out/a.h5" and "_cell.png": "out/a_cell.png".
@@ -23,7 +19,5 @@ std::string export_path(const std::string& run, const std::string& to);
 
 /// The state that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
-
-void draw_frame(const RunFile& run, const Frame& frame, const std::string& path, Existing existing);
 
 }  // namespace supple::command

@@ -103,6 +103,11 @@ void add_run_commands(CLI::App& app, Options& o) {
                        "Which frame, from 0; negative: from the end (default: the most sheared)");
   add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_cell.png)");
   snapshot->callback([&] { command::snapshot(o.run, o.frame, o.output, o.existing()); });
+
+  CLI::App* plot = app.add_subcommand("plot", "Draw strain and stress against time, and the Lissajous loop");
+  add_run(*plot, o);
+  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_stress.png)");
+  plot->callback([&] { command::plot(o.run, o.output, o.existing()); });
 }
 
 }  // namespace

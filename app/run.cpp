@@ -14,6 +14,7 @@
 #include "supple/io/file_recorder.hpp"
 #include "supple/io/progress.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/run_pictures.hpp"
 #include "supple/io/state_file.hpp"
 
 namespace supple::command {
@@ -71,23 +72,16 @@ void check_outputs(const Case& c, const std::string& run, Existing existing) {
                      "remove it, choose another name with -o, or give --force");
 }
 
-/// image0000000.png, ...: the number is the step.
-void draw_images(const Case& c, const std::string& run, Existing existing) {
-  const RunFile file(run);
-  const std::string folder = images_folder(run);
-  fs::create_directories(folder);
-  const std::int64_t frames = file.frames(), images = std::min<std::int64_t>(c.output.images, frames);
-  for (std::int64_t i = 0; i < images; ++i) {
-    const Frame frame = file.frame(images > 1 ? i * (frames - 1) / (images - 1) : frames - 1);
-    draw_frame(file, frame, fmt::format("{}/image{:07}.{}", folder, frame.step, c.output.image_format),
-               existing);
-  }
-}
-
-void write_beside(const Case& c, const std::string& run, Existing existing) {
+void write_beside(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
+  if (c.output.plot) plot(run, "", existing);
   if (c.output.snapshot) snapshot(run, std::nullopt, "", existing);
   if (c.output.text) export_run(run, "text", "", existing);
-  if (c.output.images > 0) draw_images(c, run, existing);
+  if (c.output.images == 0) return;
+  fs::create_directories(images_folder(run));
+  draw_run_images(
+      images_folder(run), c.output.image_format, RunFile(run), c.output.images, {},
+      [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); });
+  recorder.end_progress();
 }
 
 }  // namespace
@@ -113,7 +107,7 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
     if (fs::exists(file)) throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
     throw;
   }
-  write_beside(c, file, existing);
+  write_beside(c, file, existing, recorder);
   show(file, format);
 }
 

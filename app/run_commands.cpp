@@ -12,7 +12,7 @@
 #include "supple/io/csv.hpp"
 #include "supple/io/published_text.hpp"
 #include "supple/io/run_file.hpp"
-#include "supple/io/snapshot.hpp"
+#include "supple/io/run_pictures.hpp"
 #include "supple/io/state_file.hpp"
 
 namespace supple::command {
@@ -57,34 +57,41 @@ void show_json(const RunFile& run) {
   fmt::print("{}\n", j.dump(2));
 }
 
-constexpr std::string_view storage = "storage_modulus_", loss = "loss_modulus_";
+constexpr std::string_view storage = "storage_modulus_";
+
+/// What the stress was taken from: "internal", "external", ...
+std::vector<std::string> estimators(const std::vector<RunValue>& results) {
+  std::vector<std::string> names;
+  for (const RunValue& v : results)
+    if (v.name.name.starts_with(storage)) names.push_back(v.name.name.substr(storage.size()));
+  return names;
+}
 
 /// G' and G'' side by side, a line for each estimator.
 void show_moduli(const std::vector<RunValue>& results) {
-  bool first = true;
-  for (const RunValue& g : results) {
-    if (!g.name.name.starts_with(storage)) continue;
-    const std::string estimator = g.name.name.substr(storage.size());
-    const auto other = std::find_if(results.begin(), results.end(), [&](const RunValue& v) {
-      return v.name.name == std::string(loss) + estimator;
-    });
-    if (first) fmt::print("\n  {:<18} {:<22} {}\n", "", "G'", "G''");
-    first = false;
-    const std::string second = other == results.end() ? "" : with_error(*other);
-    const std::string_view from =
-        std::string_view(g.name.meaning).substr(std::min<std::size_t>(3, g.name.meaning.size()));
-    fmt::print("  {:<18} {:<22} {:<22} {}\n", estimator, with_error(g), second, from);
-  }
+  const auto text = [&](const std::string& name) {
+    const auto at =
+        std::find_if(results.begin(), results.end(), [&](const RunValue& v) { return v.name.name == name; });
+    return at == results.end() ? std::string("-") : with_error(*at);
+  };
+  const std::vector<std::string> names = estimators(results);
+  if (names.empty()) return;
+  fmt::print("\n  {:<20} {:<20} {:<20} {}\n", "stress", "G'", "G''", "third harmonic");
+  for (const std::string& name : names)
+    fmt::print("  {:<20} {:<20} {:<20} {}\n", name, text(std::string(storage) + name),
+               text("loss_modulus_" + name), text("third_harmonic_" + name));
 }
 
-void show_values(const std::vector<RunValue>& values, const std::string& title) {
-  bool first = true;
-  for (const RunValue& v : values) {
-    if (v.name.name.starts_with(storage) || v.name.name.starts_with(loss)) continue;
-    if (first) fmt::print("\n{}\n", title);
-    first = false;
-    fmt::print("  {:<28} {:<26} {}\n", v.name.name, with_error(v), v.name.meaning);
-  }
+/// Numbers that do not belong to one estimator.
+void show_values(const std::vector<RunValue>& values) {
+  const std::vector<std::string> names = estimators(values);
+  const auto belongs = [&](const std::string& value) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const auto& name) { return value.ends_with("_" + name); });
+  };
+  fmt::print("\n");
+  for (const RunValue& v : values)
+    if (!belongs(v.name.name)) fmt::print("  {:<31} {:<20} {}\n", v.name.name, with_error(v), v.name.meaning);
 }
 
 /// The frame of the largest strain, the first of several.
@@ -120,8 +127,7 @@ void show(const std::string& run_path, Format format) {
              particle_count(info), cell[0], cell[1], run.seed(), run.version());
   const std::vector<RunValue> results = run.values("results");
   show_moduli(results);
-  show_values(results, "results");
-  show_values(run.values("constants"), "constants");
+  show_values(results.empty() ? run.values("constants") : results);
   for (const std::string& warning : run.warnings()) fmt::print("\nwarning: {}\n", warning);
 }
 
@@ -132,11 +138,6 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
   if (to == "csv") export_csv(RunFile(run_path), file, existing);
   else if (to == "text") export_published_text(RunFile(run_path), file, existing);
   else write_state_json(read_state(run_path), file, existing);
-}
-
-void draw_frame(const RunFile& run, const Frame& frame, const std::string& path, Existing existing) {
-  check_can_create(path, existing);
-  draw_snapshot(path, run.info(), frame);
 }
 
 void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& path,
@@ -150,7 +151,13 @@ void snapshot(const std::string& run_path, std::optional<int> frame, const std::
   if (k < 0 || k >= count)
     throw input_error(fmt::format("{} has no frame {}", run_path, *frame), "",
                       fmt::format("give 0 to {}, or -1 for the last", count - 1));
-  draw_frame(run, run.frame(k), file, existing);
+  draw_run_snapshot(file, run, k);
+}
+
+void plot(const std::string& run_path, const std::string& path, Existing existing) {
+  const std::string file = path.empty() ? plot_path(run_path) : path;
+  check_can_create(file, existing);
+  draw_run_plot(file, RunFile(run_path));
 }
 
 }  // namespace supple::command

@@ -115,7 +115,7 @@ TEST_F(BadInput, AnOldRunSurvivesABadCaseEvenWithForce) {
 
 TEST_F(BadInput, RunsThatCannotBeRead) {
   write("broken.h5", "no run");
-  for (const std::string command : {"show", "snapshot", "export"}) {
+  for (const std::string command : {"show", "plot", "snapshot", "export"}) {
     EXPECT_EQ(supple(command + " none.h5").code, 4) << command;
     const Outcome broken = supple(command + " broken.h5");
     EXPECT_EQ(broken.code, 4) << command;

@@ -66,9 +66,21 @@ TEST_F(Run, SnapshotsInEveryFormat) {
   }
   const Outcome wrong = supple("snapshot small.h5 --frame 99 -o x.png");
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("has no frame 99; give 0 to 4, or -1 for the last"));
+  EXPECT_THAT(wrong.err, HasSubstr("has no frame 99; give 0 to 3, or -1 for the last"));
   EXPECT_EQ(supple("snapshot small.h5 -o x.bmp").code, 2);
   EXPECT_EQ(supple("snapshot small.h5 -o cell.png").code, 4);
+}
+
+TEST_F(Run, PlotsAndExports) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml --set output.plot=true --set output.text=true").code, 0);
+  EXPECT_TRUE(exists("small_stress.png"));
+  EXPECT_THAT(read_text(path("small.txt")), HasSubstr("Output data"));
+  EXPECT_EQ(supple("plot small.h5 -o loop.svg").code, 0);
+  EXPECT_THAT(read_text(path("loop.svg")), HasSubstr("<svg"));
+  EXPECT_EQ(supple("export small.h5").code, 0);
+  EXPECT_THAT(read_text(path("small.csv")), testing::StartsWith("t,strain,strain_rate,"));
+  EXPECT_EQ(supple("export small.h5").code, 4);
 }
 
 TEST_F(Run, TheFinalStateStartsAnotherRun) {

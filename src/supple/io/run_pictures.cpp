@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "supple/core/error.hpp"
 #include "supple/io/particle_colors.hpp"
 #include "supple/io/plot.hpp"
@@ -65,8 +64,11 @@ void draw_run_plot(const std::string& path, const RunFile& run) {
     return;
   }
   const Protocol protocol = protocol_of(run);
+  const Case c = run.resolved_case();
+  const double scale = c.output.relative_y_scale_force * c.material.young_modulus;
   plot_oscillatory(path, {time, strain, estimate(run, "internal", time, protocol),
-                          estimate(run, "external", time, protocol), protocol});
+                          estimate(run, "external", time, protocol), protocol,
+                          scale > 0 ? std::optional(scale) : std::nullopt});
 }
 
 std::int64_t draw_run_images(const std::string& folder, const std::string& ending, const RunFile& run,
