@@ -27,10 +27,12 @@ System<Dim> random_discs_in_motion(int n, double strain, std::uint64_t seed) {
     }
     system.state.radius[i] = draw.uniform(0.4, 0.9);
     if constexpr (Dim == 2) system.state.spin[i] = draw.uniform(-2, 2);
-    else for (int d = 0; d < Dim; ++d) system.state.spin[i][d] = draw.uniform(-2, 2);
+    else
+      for (int d = 0; d < Dim; ++d) system.state.spin[i][d] = draw.uniform(-2, 2);
   }
   testing::fill_all_pairs(system);
-  for (std::int32_t row = 0; row < system.pairs.size(); row += 10) system.pairs.state[row] = ContactState::permanent;
+  for (std::int32_t row = 0; row < system.pairs.size(); row += 10)
+    system.pairs.state[row] = ContactState::permanent;
   for (std::int32_t row = 0; row < system.pairs.size(); ++row)
     system.pairs.history[row] = RandomStream(seed, Purpose::test, stream_index(1, row)).uniform(-0.1, 0.1);
   return system;
@@ -50,7 +52,9 @@ double product(const Vec3& a, const Vec3& b) { return dot(a, b); }
 template <class Dimension>
 class Record : public ::testing::Test {};
 template <int D>
-struct Dimension { static constexpr int value = D; };
+struct Dimension {
+  static constexpr int value = D;
+};
 using Dimensions = ::testing::Types<Dimension<2>, Dimension<3>>;
 TYPED_TEST_SUITE(Record, Dimensions);
 
@@ -134,15 +138,18 @@ TYPED_TEST(Record, RigidRotationHasNoRelativeVelocity) {
   }
   const auto records = detect_discs(system);
   ASSERT_GT(records.size(), 5u);
-  for (const auto& record : records) EXPECT_LT(norm(relative_velocity(record, system.state, system.box)), 1e-14);
+  for (const auto& record : records)
+    EXPECT_LT(norm(relative_velocity(record, system.state, system.box)), 1e-14);
 }
 
 TYPED_TEST(Record, ReferencePathAddsForcesVirialAndEnergyOfTheLaw) {
   constexpr int dim = TypeParam::value;
   System<dim> system = random_discs_in_motion<dim>(25, 0.4, 5);
-  const auto spring = [](const ContactMotion<dim>& motion, std::span<double> history) -> ContactResponse<dim> {
+  const auto spring = [](const ContactMotion<dim>& motion,
+                         std::span<double> history) -> ContactResponse<dim> {
     history[0] = motion.history[0] + motion.dt;
-    return {-motion.record.gap * motion.record.normal, 0.5 * motion.record.gap * motion.record.gap, 0, ContactState::stick};
+    return {-motion.record.gap * motion.record.normal, 0.5 * motion.record.gap * motion.record.gap, 0,
+            ContactState::stick};
   };
   const auto evaluate = [&](const System<dim>& s) {
     Evaluation<dim> out;
@@ -185,27 +192,34 @@ void expect_same(const Evaluation<2>& fast, const Evaluation<2>& reference) {
   EXPECT_NEAR(fast.energy.elastic, reference.energy.elastic, tolerance * reference.energy.elastic);
   EXPECT_NEAR(fast.energy.tangential, reference.energy.tangential, tolerance * reference.energy.tangential);
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b) EXPECT_NEAR(fast.virial[a][b], reference.virial[a][b], tolerance * 100 * largest);
+    for (int b = 0; b < 2; ++b)
+      EXPECT_NEAR(fast.virial[a][b], reference.virial[a][b], tolerance * 100 * largest);
 }
 
 TEST(RecordPaths, FastLoopOverDiscsAgreesWithTheReferencePath) {
   int slipping = 0, sticking = 0, linked = 0;
   for (const Slip slip : {Slip::clamp, Slip::freeze, Slip::reset})
-    for (const Repulsion& repulsion : {Repulsion(Divergent(1)), Repulsion(Divergent(0.3)), Repulsion(Hertz()), Repulsion(Plateau(1, 0.3, 0.8, 0.1))})
+    for (const Repulsion& repulsion : {Repulsion(Divergent(1)), Repulsion(Divergent(0.3)), Repulsion(Hertz()),
+                                       Repulsion(Plateau(1, 0.3, 0.8, 0.1))})
       for (const double strain : {0.0, 0.37, -2.2}) {
         System<2> system = random_discs_in_motion<2>(40, strain, 6);
-        const DiscLaw law{{100, 2, 80, 1.5}, {60, 1, 40, 0.7}, Tensile(Tensile::Kind::exponential), 0.25, slip, LeverArm::distance};
+        const DiscLaw law{
+            {100, 2, 80, 1.5}, {60, 1, 40, 0.7}, Tensile(Tensile::Kind::exponential), 0.25, slip,
+            LeverArm::distance};
         Evaluation<2> fast, reference;
         for (Evaluation<2>* e : {&fast, &reference}) {
           e->force.resize(40);
           e->torque.resize(40);
         }
         DiscContacts(repulsion, law).evaluate(system, 1e-2, Detail::energies, fast);
-        std::visit([&](const auto& r) {
-          evaluate_records(system, detect_discs(system),
-                           [&](const ContactMotion<2>& m, std::span<double> u) { return respond(r, law, m, u); }, 1e-2,
-                           reference);
-        }, repulsion);
+        std::visit(
+            [&](const auto& r) {
+              evaluate_records(
+                  system, detect_discs(system),
+                  [&](const ContactMotion<2>& m, std::span<double> u) { return respond(r, law, m, u); }, 1e-2,
+                  reference);
+            },
+            repulsion);
         expect_same(fast, reference);
         for (const ContactState state : fast.trial_state) {
           slipping += state == ContactState::slip;

@@ -12,7 +12,8 @@ template <class S>
 S everything(const S& x, const S& y) {
   using std::abs, std::atan2, std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
   S z = 2.0 * x + y * 3.0 - x / y + 1.0 / (1.0 + x * x) - (y - 0.3) * (2.0 - x) / 4.0;
-  z = z + sqrt(x * y) + exp(-x) * log(y + 1.0) + sin(x) * cos(y) + pow(x, 2.5) + atan2(y, -x) + abs(x - 10.0 * y);
+  z = z + sqrt(x * y) + exp(-x) * log(y + 1.0) + sin(x) * cos(y) + pow(x, 2.5) + atan2(y, -x) +
+      abs(x - 10.0 * y);
   z *= x;
   z /= y;
   z -= x;

@@ -90,9 +90,11 @@ TEST(TermSet, GivesTheSameBitsForOneAndTwoThreads) {
 TEST(TermSet, ActsBesideContactsInTheForceField) {
   Box<2> box;
   box.length = {20, 20};
-  System<2> system = listed_discs(box, {{5, 5}, {8, 5}, {9, 5}}, {1, 1, 1}, 1);  // a spring, then an overlap of 1
+  System<2> system =
+      listed_discs(box, {{5, 5}, {8, 5}, {9, 5}}, {1, 1, 1}, 1);  // a spring, then an overlap of 1
   const PairStiffness stiffness{10, 0, 10, 0};
-  ForceField field(DiscContacts(Divergent(0), {stiffness, stiffness, Tensile(), 0, Slip::clamp, LeverArm::distance}));
+  ForceField field(
+      DiscContacts(Divergent(0), {stiffness, stiffness, Tensile(), 0, Slip::clamp, LeverArm::distance}));
   field.terms().add(FacetStretch<2>{}, {{0, 1}}, {{4, 2.5}});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
@@ -100,7 +102,8 @@ TEST(TermSet, ActsBesideContactsInTheForceField) {
   EXPECT_DOUBLE_EQ(out.force[1][0], -4 * 0.5 - 10);
   EXPECT_DOUBLE_EQ(out.force[2][0], 10);
   EXPECT_DOUBLE_EQ(out.energy.stored(), 0.5 * 4 * 0.25 + 0.5 * 10);
-  EXPECT_DOUBLE_EQ(out.virial[0][0], -4 * 0.5 * 3 + 10 * 1);  // tension of the spring, compression of the contact
+  EXPECT_DOUBLE_EQ(out.virial[0][0],
+                   -4 * 0.5 * 3 + 10 * 1);  // tension of the spring, compression of the contact
 }
 
 TEST(TermSet, MismatchedStencilsAreInputErrors) {

@@ -3,32 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
-#include <numbers>
+#include <cmath>
 #include <set>
 
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
-#include "supple/model/cuts.hpp"
-#include "supple/model/discs.hpp"
-#include "tests/support/all_pairs.hpp"
+#include "tests/support/scaffold.hpp"
 
 namespace supple {
 namespace {
 
-/// A triangular lattice of touching discs in a periodic cell: every disc has six neighbours.
-System<2> lattice(int columns = 12, int rows = 14) {
-  System<2> system = hexagonal_discs(columns, rows, 1.0, 0.52, 1.0);
-  testing::fill_all_pairs(system);
-  return system;
-}
+using testing::lattice, testing::link_everything;
 
 int count_links(const System<2>& system, LinkKind kind = LinkKind::all) {
   return static_cast<int>(link_rows(system, kind).size());
-}
-
-void link_everything(System<2>& system) {
-  for (const TouchingPair& pair : touching_pairs(system)) link(system.pairs, pair.row);
 }
 
 CrosslinkSpec bulk() {
@@ -58,7 +46,8 @@ TEST(Crosslink, PhysicalLinksDoNotCrossTheBoundary) {
   const Vec2 half = system.box.centre();
   std::set<std::int32_t> expected;
   for (const std::int32_t row : link_rows(system, LinkKind::all)) {
-    const Vec2 raw = system.state.position[system.pairs.second[row]] - system.state.position[system.pairs.first[row]];
+    const Vec2 raw =
+        system.state.position[system.pairs.second[row]] - system.state.position[system.pairs.first[row]];
     if (std::abs(raw[0]) < half[0] && std::abs(raw[1]) < half[1]) expected.insert(row);
   }
   const auto physical = link_rows(system, LinkKind::physical);
@@ -70,7 +59,8 @@ TEST(Crosslink, ParticlesAreTheComponentsOfPhysicalLinks) {
   Box<2> box;
   box.length = {10, 10};
   // A column of three, a pair across the x boundary, one alone.
-  System<2> system = listed_discs(box, {{5, 5}, {9.6, 2}, {5, 6.5}, {0.4, 2}, {5, 8}, {2, 5}}, std::vector(6, 0.8), 1);
+  System<2> system =
+      listed_discs(box, {{5, 5}, {9.6, 2}, {5, 6.5}, {0.4, 2}, {5, 8}, {2, 5}}, std::vector(6, 0.8), 1);
   testing::fill_all_pairs(system);
   link_everything(system);
   EXPECT_EQ(connected_particles(system), (std::vector<std::int32_t>{0, 1, 0, 2, 0, 3}));
@@ -78,80 +68,6 @@ TEST(Crosslink, ParticlesAreTheComponentsOfPhysicalLinks) {
   const auto height = particle_heights(system.state, connected_particles(system));
   EXPECT_NEAR(height[0], 3 + 1.6, 1e-12);
   EXPECT_NEAR(height[3], 1.6, 1e-12);
-}
-
-TEST(Crosslink, NearestDistanceIsTheLeastOverAllImages) {
-  RandomStream draw(1, Purpose::test);
-  for (int trial = 0; trial < 400; ++trial) {
-    Box<2> box;
-    box.length = {draw.uniform(1, 8), draw.uniform(1, 4)};
-    box.strain = draw.uniform(-3, 3);
-    const Vec2 a{draw.uniform() * box.length[0], draw.uniform() * box.length[1]};
-    const Vec2 b{draw.uniform() * box.length[0], draw.uniform() * box.length[1]};
-    double expected = std::numeric_limits<double>::infinity();
-    for (int up = -20; up <= 20; ++up)
-      for (int right = -60; right <= 60; ++right)
-        expected = std::min(expected, norm(b - a + Vec2{right * box.length[0] + up * box.strain * box.length[1], up * box.length[1]}));
-    EXPECT_NEAR(nearest_distance(box, a, b), expected, 1e-12);
-  }
-}
-
-TEST(Crosslink, VoronoiCutsExactlyTheLinksBetweenNearestPoints) {
-  System<2> system = lattice();
-  system.box.strain = 0.37;  // the lattice no longer fits across the boundary, the distances must still be right
-  link_everything(system);
-  const auto before = link_rows(system, LinkKind::all);
-  const auto points = random_particle_seeds(system.box, 6, 4, 0);
-  const auto cell = voronoi_cells(system, points, 0, 4, 0);
-  for (int i = 0; i < system.state.size(); ++i)
-    for (const Vec2& point : points)
-      EXPECT_LE(nearest_distance(system.box, system.state.position[i], points[cell[i]]),
-                nearest_distance(system.box, system.state.position[i], point));
-  cut_between_cells(system.pairs, touching_pairs(system), cell);
-  for (const std::int32_t row : before) {
-    const bool same = cell[system.pairs.first[row]] == cell[system.pairs.second[row]];
-    EXPECT_EQ(system.pairs.state[row], same ? ContactState::permanent : ContactState::slip);
-  }
-  EXPECT_LT(link_rows(system, LinkKind::all).size(), before.size());
-}
-
-TEST(Crosslink, FuzzinessMovesDiscsNearAnEdgeOnly) {
-  const System<2> system = lattice(20, 22);
-  const auto points = random_particle_seeds(system.box, 5, 9, 0);
-  const auto sharp = voronoi_cells(system, points, 0, 9, 0), fuzzy = voronoi_cells(system, points, 1.5, 9, 0);
-  int moved = 0;
-  for (int i = 0; i < system.state.size(); ++i) {
-    const auto distance = [&](int p) { return nearest_distance(system.box, system.state.position[i], points[p]); };
-    moved += sharp[i] != fuzzy[i];
-    EXPECT_LT(distance(fuzzy[i]) - distance(sharp[i]), 1.5);
-  }
-  EXPECT_GT(moved, 5);
-}
-
-TEST(Crosslink, LinesCutTheLinksTheyCrossAndAvoidTheHorizontal) {
-  const double avoid = 15 * std::numbers::pi / 180;
-  Box<2> box;
-  box.length = {3, 2};
-  double flattest = 10, steepest = 0;
-  for (int line = 0; line < 5000; ++line) {
-    const CutLine cut = random_cut_line(box, avoid, 2, 0, line);
-    const double to_horizontal = std::acos(std::min(1.0, std::abs(cut.normal[1])));
-    EXPECT_NEAR(norm(cut.normal), 1, 1e-14);
-    flattest = std::min(flattest, to_horizontal);
-    steepest = std::max(steepest, to_horizontal);
-  }
-  EXPECT_GE(flattest, avoid - 1e-9);
-  EXPECT_LT(flattest, avoid + 0.01);
-  EXPECT_GT(steepest, std::numbers::pi / 2 - 0.01);
-
-  System<2> system = lattice(6, 6);
-  link_everything(system);
-  cut_along_line(system, touching_pairs(system), {{2.5, 0}, {1, 0}});
-  for (const TouchingPair& pair : touching_pairs(system)) {
-    const double x = system.state.position[pair.first][0];
-    const bool crossed = (x - 2.5) * (x + pair.separation[0] - 2.5) <= 0;
-    EXPECT_EQ(system.pairs.state[pair.row], crossed ? ContactState::slip : ContactState::permanent);
-  }
 }
 
 TEST(Crosslink, CutTopBottomLeavesNoLinkAcrossThePlates) {
@@ -196,9 +112,10 @@ TEST(Crosslink, ImpossibleHeightIsAClearError) {
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
-    EXPECT_STREQ(error.what(),
-                 "7 cuts each left a particle taller than 0.9 of the cell (cut_lines = 1 makes particles too large); "
-                 "raise cut_lines or max_cut_tries, or set avoid_height_spanning_particles = false");
+    EXPECT_STREQ(
+        error.what(),
+        "7 cuts each left a particle taller than 0.9 of the cell (cut_lines = 1 makes particles too large); "
+        "raise cut_lines or max_cut_tries, or set avoid_height_spanning_particles = false");
   }
   spec.avoid_height_spanning = false;
   EXPECT_EQ(crosslink(system, spec, 1).tries, 1);
@@ -240,7 +157,9 @@ TEST(Crosslink, RemovedLinksAreThoseOfRemovingOneByOne) {
   std::vector<std::pair<double, std::int32_t>> order;
   for (const std::int32_t row : before)
     order.emplace_back(RandomStream(3, Purpose::link_removal,
-                                    stream_index(one_by_one.pairs.first[row], one_by_one.pairs.second[row])).uniform(), row);
+                                    stream_index(one_by_one.pairs.first[row], one_by_one.pairs.second[row]))
+                           .uniform(),
+                       row);
   std::sort(order.begin(), order.end());
   const int wanted = static_cast<int>(std::llround(0.5 * static_cast<double>(before.size())));
   int removed = 0;
@@ -248,7 +167,8 @@ TEST(Crosslink, RemovedLinksAreThoseOfRemovingOneByOne) {
     if (removed == wanted) break;
     cut(one_by_one.pairs, row);
     const auto particle = connected_particles(one_by_one);
-    if (particle[one_by_one.pairs.first[row]] != particle[one_by_one.pairs.second[row]]) link(one_by_one.pairs, row);
+    if (particle[one_by_one.pairs.first[row]] != particle[one_by_one.pairs.second[row]])
+      link(one_by_one.pairs, row);
     else ++removed;
   }
   EXPECT_EQ(link_rows(at_once, LinkKind::physical), link_rows(one_by_one, LinkKind::physical));
@@ -257,11 +177,13 @@ TEST(Crosslink, RemovedLinksAreThoseOfRemovingOneByOne) {
 TEST(Crosslink, IsolatedDiscsAreJoinedToOneTouchingNeighbour) {
   Box<2> box;
   box.length = {10, 10};
-  System<2> system = listed_discs(box, {{2, 5}, {3, 5}, {4, 5}, {8, 5}, {0.2, 9}, {9.6, 9}}, std::vector(6, 0.6), 1);
+  System<2> system =
+      listed_discs(box, {{2, 5}, {3, 5}, {4, 5}, {8, 5}, {0.2, 9}, {9.6, 9}}, std::vector(6, 0.6), 1);
   testing::fill_all_pairs(system);
   const auto touching = touching_pairs(system);
   EXPECT_EQ(touching.size(), 3u);
-  // 0 and 1 join, then 2 joins 1 (or 1 joins 2 and 0 joins 1); 3 touches nobody; 4 and 5 join across the boundary.
+  // 0 and 1 join, then 2 joins 1 (or 1 joins 2 and 0 joins 1); 3 touches nobody; 4 and 5 join across the
+  // boundary.
   join_isolated_discs(system, touching, 1, 0);
   const auto state = [&](int i, int j) { return system.pairs.state[system.pairs.find(i, j)]; };
   EXPECT_EQ(state(0, 1), ContactState::permanent);
@@ -315,32 +237,6 @@ TEST(Crosslink, SameSeedSameParticlesOtherSeedOthers) {
   EXPECT_NE(a.pairs.state, c.pairs.state);
   crosslink(b, spec, 1);  // earlier links are undone
   EXPECT_EQ(a.pairs.state, b.pairs.state);
-}
-
-TEST(Crosslink, DrawsDoNotDependOnTheNumberOfDiscsOrPoints) {
-  const System<2> small = lattice(6, 6);
-  System<2> large = small;
-  for (int i = 0; i < 10; ++i) add_disc(large.state, {0.1 * i, 0.1}, 0.5, 1);
-  const auto points = random_particle_seeds(small.box, 5, 3, 1), more = random_particle_seeds(small.box, 9, 3, 1);
-  EXPECT_TRUE(std::equal(points.begin(), points.end(), more.begin()));
-  EXPECT_FALSE(points[0] == random_particle_seeds(small.box, 5, 3, 2)[0]);
-  const auto cells = voronoi_cells(small, points, 2, 3, 1), cells_of_more = voronoi_cells(large, points, 2, 3, 1);
-  EXPECT_TRUE(std::equal(cells.begin(), cells.end(), cells_of_more.begin()));
-}
-
-TEST(Crosslink, VoronoiParticlesHaveTheirShareOfTheDiscsOnAverage) {
-  const int repeats = 400, points = 6;
-  const System<2> system = lattice(10, 12);
-  double mean_square = 0, mean = 0;
-  for (int seed = 0; seed < repeats; ++seed) {
-    const auto cell = voronoi_cells(system, random_particle_seeds(system.box, points, seed, 0), 0, seed, 0);
-    const double share = static_cast<double>(std::count(cell.begin(), cell.end(), 0)) / system.state.size() * points;
-    mean += share / repeats;
-    mean_square += share * share / repeats;
-  }
-  const double deviation = std::sqrt(mean_square - mean * mean);
-  EXPECT_NEAR(mean, 1, 5 * deviation / std::sqrt(repeats));
-  EXPECT_NEAR(deviation, 0.53, 0.2);  // areas of a Poisson-Voronoi tessellation; less in a small periodic cell
 }
 
 TEST(Crosslink, BadNumbersAndMissingPairsAreInputErrors) {

@@ -57,8 +57,10 @@ TEST(Discs, PositionsDoNotDependOnNumberOrSizes) {
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(few.state.position[i], many.state.position[i]);
     EXPECT_FALSE(few.state.position[i] == other_seed.state.position[i]);
-    const bool large_of_few = few.state.radius[i] > 1.2 * *std::min_element(few.state.radius.begin(), few.state.radius.end());
-    const bool large_of_many = many.state.radius[i] > 1.2 * *std::min_element(many.state.radius.begin(), many.state.radius.end());
+    const bool large_of_few =
+        few.state.radius[i] > 1.2 * *std::min_element(few.state.radius.begin(), few.state.radius.end());
+    const bool large_of_many =
+        many.state.radius[i] > 1.2 * *std::min_element(many.state.radius.begin(), many.state.radius.end());
     EXPECT_EQ(large_of_few, large_of_many);
   }
 }
@@ -86,14 +88,16 @@ TEST(Discs, PositionsAreUniformAndSizesUncorrelatedWithIndex) {
 TEST(Discs, PackageDiscsHaveItsRadiiMassesAndWholePositions) {
   const DiscSpec spec{4000, 1.5, 1.4, 50};
   const System<2> system = package_discs(cell(500, 500), spec, 5);
-  const double b = 1.4, unit_square = 250000 * 1.5 / 4000 / pi / (b + 1 / b) * 2, mean_mass = 50 * 250000 * 1.5 / 4000;
+  const double b = 1.4, unit_square = 250000 * 1.5 / 4000 / pi / (b + 1 / b) * 2,
+               mean_mass = 50 * 250000 * 1.5 / 4000;
   int large = 0;
   for (int i = 0; i < spec.count; ++i) {
     const double r = system.state.radius[i];
     large += r * r > unit_square;
     EXPECT_NEAR(r * r / unit_square, r * r > unit_square ? b : 1 / b, 1e-12);
     EXPECT_NEAR(system.state.mass[i], mean_mass * r * r / unit_square, 1e-9 * mean_mass);
-    EXPECT_EQ(system.state.position[i], (Vec2{std::floor(system.state.position[i][0]), std::floor(system.state.position[i][1])}));
+    EXPECT_EQ(system.state.position[i],
+              (Vec2{std::floor(system.state.position[i][0]), std::floor(system.state.position[i][1])}));
   }
   EXPECT_NEAR(large, 2000, 5 * std::sqrt(1000.0));
   EXPECT_NE(large, 2000);  // independent draws, not an exact split
@@ -106,7 +110,9 @@ TEST(Discs, HexagonalLatticeHasSixNeighboursAtTheSpacing) {
     for (int j = 0; j < system.state.size(); ++j) {
       const double d = norm(system.box.displacement(system.state.position[i], system.state.position[j]));
       if (i != j && d < 2.0 + 1e-9) ++neighbours;
-      if (i != j) { EXPECT_GT(d, 2.0 - 1e-9); }
+      if (i != j) {
+        EXPECT_GT(d, 2.0 - 1e-9);
+      }
     }
     EXPECT_EQ(neighbours, 6) << i;
   }

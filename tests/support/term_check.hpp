@@ -47,9 +47,9 @@ Vec<Dim> transform(const Mat<Dim>& m, const Vec<Dim>& x) {
   return y;
 }
 
-/// Checks one term at random points: gradient and Hessian against central differences; a hand-written gradient against
-/// the differentiated energy; no net force or torque; invariance to translation and rotation; and, through the driver,
-/// force = -gradient and virial = -dE/d(strain).
+/// Checks one term at random points: gradient and Hessian against central differences; a hand-written
+/// gradient against the differentiated energy; no net force or torque; invariance to translation and
+/// rotation; and, through the driver, force = -gradient and virial = -dE/d(strain).
 template <class Term, int Dim>
 class TermCheck {
  public:
@@ -98,20 +98,23 @@ class TermCheck {
     EXPECT_NEAR(energy_, energy(), 1e-14 * std::abs(energy_));
     for (int k = 0; k < n; ++k) {
       const auto [above, below] = difference(k, [&] { return energy(); });
-      EXPECT_NEAR(g_[k / Dim][k % Dim], (above - below) / (2 * step), tolerance_ * (scale_ + std::abs(energy_)))
+      EXPECT_NEAR(g_[k / Dim][k % Dim], (above - below) / (2 * step),
+                  tolerance_ * (scale_ + std::abs(energy_)))
           << "gradient, coordinate " << k;
     }
     if constexpr (HasGradient<Term, Dim>) {
       Points<Term, Dim> by_jets;
       EXPECT_NEAR((jet_gradient<Term, Dim>(x_, p_, by_jets)), energy_, 1e-13 * std::abs(energy_));
-      for (int a = 0; a < Term::arity; ++a) EXPECT_LT(norm(g_[a] - by_jets[a]), 1e-12 * scale_) << "hand-written gradient";
+      for (int a = 0; a < Term::arity; ++a)
+        EXPECT_LT(norm(g_[a] - by_jets[a]), 1e-12 * scale_) << "hand-written gradient";
     }
   }
 
   void check_hessian() {
     const TermHessian<Term, Dim> h = term_hessian<Term, Dim>(x_, p_);
     double largest = scale_;
-    for (const auto& row : h) for (const double value : row) largest = std::max(largest, std::abs(value));
+    for (const auto& row : h)
+      for (const double value : row) largest = std::max(largest, std::abs(value));
     for (int k = 0; k < n; ++k) {
       const auto [above, below] = difference(k, [&] {
         std::array<Vec<Dim>, Term::arity> gradient;
@@ -121,7 +124,8 @@ class TermCheck {
         return gradient;
       });
       for (int l = 0; l < n; ++l) {
-        EXPECT_NEAR(h[l][k], (above[l / Dim][l % Dim] - below[l / Dim][l % Dim]) / (2 * step), tolerance_ * largest)
+        EXPECT_NEAR(h[l][k], (above[l / Dim][l % Dim] - below[l / Dim][l % Dim]) / (2 * step),
+                    tolerance_ * largest)
             << "Hessian " << l << ", " << k;
         EXPECT_NEAR(h[l][k], h[k][l], 1e-12 * largest) << "symmetry of the Hessian";
       }

@@ -11,7 +11,9 @@ namespace {
 struct Spring {
   static constexpr std::string_view name = "spring";
   static constexpr int arity = 2;
-  struct Param { double stiffness; };
+  struct Param {
+    double stiffness;
+  };
   template <class S>
   static S energy(const VecOf<S, 2> (&x)[2], const Param& p) {
     const VecOf<S, 2> r = x[1] - x[0];
@@ -27,7 +29,9 @@ struct WrongGradient : Spring {
 };
 struct TiedToTheOrigin : Spring {
   template <class S>
-  static S energy(const VecOf<S, 2> (&x)[2], const Param& p) { return 0.5 * p.stiffness * dot(x[0], x[0]); }
+  static S energy(const VecOf<S, 2> (&x)[2], const Param& p) {
+    return 0.5 * p.stiffness * dot(x[0], x[0]);
+  }
 };
 struct PrefersADirection : Spring {
   template <class S>
@@ -38,7 +42,9 @@ struct PrefersADirection : Spring {
 };
 struct NoForce : Spring {
   template <class S>
-  static S energy(const VecOf<S, 2> (&x)[2], const Param& p) { return 0.0 * x[0][0]; }
+  static S energy(const VecOf<S, 2> (&x)[2], const Param& p) {
+    return 0.0 * x[0][0];
+  }
 };
 
 void draw(RandomStream& stream, Vec2 (&x)[2], Spring::Param& p) {

@@ -8,8 +8,9 @@
 
 namespace supple {
 
-/// The contact of the discs i and j whatever their distance. Arms share the distance d in proportion to the radii (S1-3): the
-/// contact point lies between the centres, so that angular momentum is conserved at any compression or stretch.
+/// The contact of the discs i and j whatever their distance. Arms share the distance d in proportion to the
+/// radii (S1-3): the contact point lies between the centres, so that angular momentum is conserved at any
+/// compression or stretch.
 template <int Dim>
 ContactRecord<Dim> disc_contact(const System<Dim>& system, std::int32_t row) {
   const State<Dim>& state = system.state;

@@ -17,8 +17,8 @@ struct ContactResponse {
   ContactState state = ContactState::stick;
 };
 
-/// What a law sees: the record, the relative velocity there, what the contact remembers, and the time over which that
-/// velocity has acted since.
+/// What a law sees: the record, the relative velocity there, what the contact remembers, and the time over
+/// which that velocity has acted since.
 template <int Dim>
 struct ContactMotion {
   const ContactRecord<Dim>& record;
@@ -28,11 +28,12 @@ struct ContactMotion {
   double dt;
 };
 
-/// Adds forces, torques, energies and virial of the records to `out`, and fills its trial state and history; rows
-/// without a record open and forget. law(motion, new_history) returns a ContactResponse and changes nothing else.
+/// Adds forces, torques, energies and virial of the records to `out`, and fills its trial state and history;
+/// rows without a record open and forget. law(motion, new_history) returns a ContactResponse and changes
+/// nothing else.
 template <int Dim, class Law>
-void evaluate_records(const System<Dim>& system, const std::vector<ContactRecord<Dim>>& records, const Law& law,
-                      double dt, Evaluation<Dim>& out) {
+void evaluate_records(const System<Dim>& system, const std::vector<ContactRecord<Dim>>& records,
+                      const Law& law, double dt, Evaluation<Dim>& out) {
   const PairTable& pairs = system.pairs;
   const auto width = static_cast<std::size_t>(pairs.width);
   out.trial_state.assign(pairs.state.size(), ContactState::open);
@@ -40,8 +41,8 @@ void evaluate_records(const System<Dim>& system, const std::vector<ContactRecord
   for (const ContactRecord<Dim>& record : records) {
     const std::span old(pairs.history.data() + record.row * width, width);
     const std::span trial(out.trial_history.data() + record.row * width, width);
-    const ContactMotion<Dim> motion{record, relative_velocity(record, system.state, system.box), pairs.state[record.row],
-                                    old, dt};
+    const ContactMotion<Dim> motion{record, relative_velocity(record, system.state, system.box),
+                                    pairs.state[record.row], old, dt};
     const ContactResponse<Dim> response = law(motion, trial);
     out.trial_state[record.row] = response.state;
     scatter(record, response.force, out.force, out.torque);

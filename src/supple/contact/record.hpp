@@ -9,8 +9,9 @@
 namespace supple {
 
 /// Disc on disc, vertex on vertex, vertex on facet, site on wall: they differ only in how a record is filled.
-/// Weights c_a sum to zero, and c_a n is the gradient of the gap by site a: positive on the side that n points to. Spins
-/// enter with the arm from the centre of a site to the point of contact. From these alone follow
+/// Weights c_a sum to zero, and c_a n is the gradient of the gap by site a: positive on the side that n
+/// points to. Spins enter with the arm from the centre of a site to the point of contact. From these alone
+/// follow
 ///     relative velocity  v = sum c_a (v_a + w_a x arm_a) - jump over the boundary,
 ///     forces             f_a = c_a F,  torques  T_a = arm_a x f_a,
 /// so that the power of the contact is F.v whatever the law: sum (f_a.v_a + T_a.w_a) = F.(v + jump).
@@ -23,9 +24,10 @@ struct ContactRecord {
   std::array<double, most_sites> weight{};
   std::array<Vec<Dim>, most_sites> arm{};  ///< [length]; zero where the site does not spin
   Vec<Dim> normal{};                       ///< unit vector toward the sites of positive weight
-  Vec<Dim> branch{};  ///< sum c_a x_a over the nearest images [length]; torque balance: branch + sum c_a arm_a = 0
-  double reach = 0;   ///< distance at which the surfaces meet [length]
-  double gap = 0;     ///< distance less reach; negative: overlap [length]
+  /// Sum c_a x_a over the nearest images [length]; torques balance where it is -sum c_a arm_a.
+  Vec<Dim> branch{};
+  double reach = 0;       ///< distance at which the surfaces meet [length]
+  double gap = 0;         ///< distance less reach; negative: overlap [length]
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
   std::int32_t up = 0;    ///< cells between the two sides along the gradient
   bool crosses = false;   ///< whether the contact is with a periodic image
@@ -38,7 +40,8 @@ struct ContactRecord {
   }
 };
 
-/// Velocity at the contact of the side of positive weight, relative to the other; its part along n is d(gap)/dt.
+/// Velocity at the contact of the side of positive weight, relative to the other; its part along n is
+/// d(gap)/dt.
 template <int Dim>
 Vec<Dim> relative_velocity(const ContactRecord<Dim>& record, const State<Dim>& state, const Box<Dim>& box) {
   Vec<Dim> v = -box.velocity_jump(record.up);

@@ -48,9 +48,18 @@ struct Jet {
   friend Jet operator-(Jet a, const Jet& b) { return a -= b; }
   friend Jet operator*(Jet a, const Jet& b) { return a *= b; }
   friend Jet operator/(Jet a, const Jet& b) { return a /= b; }
-  friend Jet operator+(Jet a, double s) { a.value += s; return a; }
-  friend Jet operator+(double s, Jet a) { a.value += s; return a; }
-  friend Jet operator-(Jet a, double s) { a.value -= s; return a; }
+  friend Jet operator+(Jet a, double s) {
+    a.value += s;
+    return a;
+  }
+  friend Jet operator+(double s, Jet a) {
+    a.value += s;
+    return a;
+  }
+  friend Jet operator-(Jet a, double s) {
+    a.value -= s;
+    return a;
+  }
   friend Jet operator-(double s, const Jet& a) { return -a + s; }
   friend Jet operator*(Jet a, double s) { return a *= s; }
   friend Jet operator*(double s, Jet a) { return a *= s; }
@@ -105,11 +114,15 @@ Jet<S, N> atan2(const Jet<S, N>& y, const Jet<S, N>& x) {
   return angle;
 }
 template <class S, int N>
-Jet<S, N> abs(const Jet<S, N>& x) { return x < Jet<S, N>(0.0) ? -x : x; }
+Jet<S, N> abs(const Jet<S, N>& x) {
+  return x < Jet<S, N>(0.0) ? -x : x;
+}
 
 /// The number itself, without derivatives.
 inline double value_of(double x) { return x; }
 template <class S, int N>
-double value_of(const Jet<S, N>& x) { return value_of(x.value); }
+double value_of(const Jet<S, N>& x) {
+  return value_of(x.value);
+}
 
 }  // namespace supple

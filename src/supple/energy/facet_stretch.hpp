@@ -13,10 +13,12 @@ template <int Dim>
 struct FacetStretch {
   static constexpr std::string_view name = "facet_stretch";
   static constexpr int arity = Dim;
-  struct Param { double stiffness, rest; };
-  static constexpr auto fields = std::tuple{
-      Field<Param>{"stiffness", &Param::stiffness, "energy/length^(2(Dim-1))", "k", not_negative},
-      Field<Param>{"rest", &Param::rest, "length^(Dim-1)", "rest measure a0", not_negative}};
+  struct Param {
+    double stiffness, rest;
+  };
+  static constexpr auto fields =
+      std::tuple{Field<Param>{"stiffness", &Param::stiffness, "energy/length^(2(Dim-1))", "k", not_negative},
+                 Field<Param>{"rest", &Param::rest, "length^(Dim-1)", "rest measure a0", not_negative}};
 
   template <class S>
   static S energy(const VecOf<S, Dim> (&x)[arity], const Param& p) {

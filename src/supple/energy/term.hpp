@@ -12,16 +12,18 @@ namespace supple {
 template <class Term, int Dim, class S = double>
 using Points = VecOf<S, Dim>[Term::arity];
 
-/// A pure function of a few points and its parameters: energy(x, p), written once for any scalar. It knows no box, no
-/// neighbour, no file. Its energy may not change when the points move rigidly.
+/// A pure function of a few points and its parameters: energy(x, p), written once for any scalar. It knows no
+/// box, no neighbour, no file. Its energy may not change when the points move rigidly.
 template <class Term, int Dim>
 concept ConservativeTerm = requires(const Points<Term, Dim>& x, const typename Term::Param& p) {
   { Term::energy(x, p) } -> std::convertible_to<double>;
 };
 
-/// A term that also has a hand-written gradient(x, p, g), which returns the energy: for terms that a profile shows.
+/// A term that also has a hand-written gradient(x, p, g), which returns the energy: for terms that a profile
+/// shows.
 template <class Term, int Dim>
-concept HasGradient = requires(const Points<Term, Dim>& x, const typename Term::Param& p, Points<Term, Dim>& g) {
+concept HasGradient = requires(const Points<Term, Dim>& x, const typename Term::Param& p,
+                               Points<Term, Dim>& g) {
   { Term::gradient(x, p, g) } -> std::convertible_to<double>;
 };
 

@@ -35,8 +35,9 @@ class StencilBlock final : public TermBlock<Dim> {
   StencilBlock(std::vector<Stencil> stencils, std::vector<Param> params)
       : stencils_(std::move(stencils)), params_(std::move(params)) {
     if (params_.size() != stencils_.size() && params_.size() != 1)
-      throw input_error(fmt::format("{}: {} stencils with {} parameter sets", Term::name, stencils_.size(), params_.size()),
-                        "they do not match", "give one parameter set for all or one for each");
+      throw input_error(
+          fmt::format("{}: {} stencils with {} parameter sets", Term::name, stencils_.size(), params_.size()),
+          "they do not match", "give one parameter set for all or one for each");
     index_slots();
   }
 
@@ -58,7 +59,8 @@ class StencilBlock final : public TermBlock<Dim> {
   void evaluate(const State<Dim>& state, Detail detail, Evaluation<Dim>& out) const override {
     check_sites(state);
     const bool serial = thread_count() == 1 || chunk_count(size()) < 2 * thread_count();
-    // Threads may not add to the same site: they fill their own slots, and each site then adds its slots in order.
+    // Threads may not add to the same site: they fill their own slots, and each site then adds its slots in
+    // order.
     std::vector<Vec<Dim>> slots(serial ? 0 : stencils_.size() * Term::arity);
     const Sum total = sum_chunks<Sum>(size(), [&](std::int64_t begin, std::int64_t end) {
       Sum sum;
@@ -66,7 +68,8 @@ class StencilBlock final : public TermBlock<Dim> {
         Points<Term, Dim> x, slope;
         gather(state, k, x);
         sum.energy += term_gradient<Term, Dim>(x, param(k), slope);
-        // Forces on a stencil sum to zero, so that any origin gives the same virial; a near one loses no digits.
+        // Forces on a stencil sum to zero, so that any origin gives the same virial; a near one loses no
+        // digits.
         if (detail == Detail::energies)
           for (int a = 1; a < Term::arity; ++a) sum.virial.add_outer(-1, slope[a], x[a] - x[0]);
         for (int a = 0; a < Term::arity; ++a) {
@@ -112,7 +115,8 @@ class StencilBlock final : public TermBlock<Dim> {
     std::int32_t last = -1;
     for (const Stencil& stencil : stencils_)
       for (const std::int32_t site : stencil) {
-        if (site < 0) throw input_error(fmt::format("{} acts on site {}", Term::name, site), "sites count from 0");
+        if (site < 0)
+          throw input_error(fmt::format("{} acts on site {}", Term::name, site), "sites count from 0");
         last = std::max(last, site);
       }
     slot_begin_.assign(static_cast<std::size_t>(last) + 2, 0);
@@ -126,10 +130,12 @@ class StencilBlock final : public TermBlock<Dim> {
   }
 
   void add_slots(const std::vector<Vec<Dim>>& slots, std::vector<Vec<Dim>>& force) const {
-    for_chunks(static_cast<std::int64_t>(slot_begin_.size()) - 1, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i)
-        for (std::int64_t s = slot_begin_[i]; s < slot_begin_[i + 1]; ++s) force[i] -= slots[slot_[s]];
-    });
+    for_chunks(static_cast<std::int64_t>(slot_begin_.size()) - 1,
+               [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+                 for (std::int64_t i = begin; i < end; ++i)
+                   for (std::int64_t s = slot_begin_[i]; s < slot_begin_[i + 1]; ++s)
+                     force[i] -= slots[slot_[s]];
+               });
   }
 
   std::vector<Stencil> stencils_;

@@ -14,16 +14,18 @@ namespace supple {
 template <int Dim>
 class TermSet {
  public:
-  /// Adds a term on these stencils (Term::arity sites each), with one parameter set for all of them or one for each.
-  /// Input error if these numbers do not match or a site is negative.
+  /// Adds a term on these stencils (Term::arity sites each), with one parameter set for all of them or one
+  /// for each. Input error if these numbers do not match or a site is negative.
   template <ConservativeTerm<Dim> Term>
-  void add(Term, std::vector<std::array<std::int32_t, Term::arity>> stencils, std::vector<typename Term::Param> params) {
+  void add(Term, std::vector<std::array<std::int32_t, Term::arity>> stencils,
+           std::vector<typename Term::Param> params) {
     blocks_.push_back(std::make_shared<StencilBlock<Term, Dim>>(std::move(stencils), std::move(params)));
   }
 
   bool empty() const { return blocks_.empty(); }
 
-  /// Adds forces; with Detail::energies also energy.terms and the virial. Same bits for any number of threads.
+  /// Adds forces; with Detail::energies also energy.terms and the virial. Same bits for any number of
+  /// threads.
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const {
     for (const auto& block : blocks_) block->evaluate(system.state, detail, out);
   }

@@ -1,4 +1,5 @@
-/// Crosslinked particles: link every touching pair of a relaxed suspension, then cut the scaffold into particles.
+/// Crosslinked particles: link every touching pair of a relaxed suspension, then cut the scaffold into
+/// particles.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -13,9 +14,9 @@ enum class CutKind { voronoi, lines };
 /// The keys of a case that make crosslinked particles (documentation, Table S2-1).
 struct CrosslinkSpec {
   CutKind cut = CutKind::voronoi;
-  int cut_lines = 5;            ///< Voronoi points, or lines; 0 (or 1 point) leaves the bulk scaffold
-  double edge_fuzziness = 0;    ///< roughness of the Voronoi edges [largest radius]
-  double avoid_horizontal = 0;  ///< least angle of a line to the horizontal [radian]
+  int cut_lines = 5;                  ///< Voronoi points, or lines; 0 (or 1 point) leaves the bulk scaffold
+  double edge_fuzziness = 0;          ///< roughness of the Voronoi edges [largest radius]
+  double avoid_horizontal = 0;        ///< least angle of a line to the horizontal [radian]
   bool avoid_height_spanning = true;  ///< cut again while a particle is taller than 0.9 of the cell
   int max_tries = 1000;
   bool cut_top_bottom = false;      ///< also cut along the two plates
@@ -29,25 +30,27 @@ inline constexpr double tallest_share = 0.9;
 
 /// What crosslinking did.
 struct CrosslinkReport {
-  int tries = 0;             ///< cuts made until no particle was too tall
-  int links = 0;             ///< links left, those across the boundary included
-  int joined = 0;            ///< isolated discs that were joined to a neighbour
-  int removed = 0;           ///< links removed by remove_link_fraction
+  int tries = 0;                ///< cuts made until no particle was too tall
+  int links = 0;                ///< links left, those across the boundary included
+  int joined = 0;               ///< isolated discs that were joined to a neighbour
+  int removed = 0;              ///< links removed by remove_link_fraction
   double removed_fraction = 0;  ///< of the physical links; below the wish where all others were essential
   std::vector<std::int32_t> particle;  ///< of each disc, by physical links (connected_particles)
   std::vector<double> height;          ///< of each particle [length]
 };
 
-/// Links and cuts the discs of a system whose pair table is complete (NeighborList::update); earlier links are undone.
-/// The same seed gives the same particles; the draws of a disc do not depend on the number of discs.
-/// Throws an input error where max_tries cuts each left a particle that spans the height, or on a bad number.
+/// Links and cuts the discs of a system whose pair table is complete (NeighborList::update); earlier links
+/// are undone. The same seed gives the same particles; the draws of a disc do not depend on the number of
+/// discs. Throws an input error where max_tries cuts each left a particle that spans the height, or on a bad
+/// number.
 CrosslinkReport crosslink(System<2>& system, const CrosslinkSpec& spec, std::uint64_t seed);
 
 /// Joins each disc that has no physical link to one of its touching neighbours at random. Returns how many.
-int join_isolated_discs(System<2>& system, const std::vector<TouchingPair>& touching, std::uint64_t seed, int attempt);
+int join_isolated_discs(System<2>& system, const std::vector<TouchingPair>& touching, std::uint64_t seed,
+                        int attempt);
 
-/// Removes this fraction of the physical links at random (rounded to whole links), or as many as can go with every
-/// particle still connected. Returns how many went.
+/// Removes this fraction of the physical links at random (rounded to whole links), or as many as can go with
+/// every particle still connected. Returns how many went.
 int remove_links(System<2>& system, double fraction, std::uint64_t seed);
 
 }  // namespace supple

@@ -32,7 +32,8 @@ double nearest_distance(const Box<2>& box, const Vec2& a, const Vec2& b) {
 
   const double level = -std::round((b[gradient] - a[gradient]) / height);
   double nearest = distance_to_row(level);
-  // The row at a's level need not hold the nearest image, but those k rows away are no nearer than (k - 1/2) height.
+  // The row at a's level need not hold the nearest image, but those k rows away are no nearer than (k - 1/2)
+  // height.
   for (int k = 1; (k - 0.5) * height < nearest; ++k)
     nearest = std::min({nearest, distance_to_row(level + k), distance_to_row(level - k)});
   return nearest;
@@ -47,8 +48,8 @@ std::vector<Vec2> random_particle_seeds(const Box<2>& box, int count, std::uint6
   return points;
 }
 
-std::vector<std::int32_t> voronoi_cells(const System<2>& system, std::span<const Vec2> points, double fuzziness,
-                                        std::uint64_t seed, int attempt) {
+std::vector<std::int32_t> voronoi_cells(const System<2>& system, std::span<const Vec2> points,
+                                        double fuzziness, std::uint64_t seed, int attempt) {
   std::vector<std::int32_t> cell;
   for (int i = 0; i < system.state.size(); ++i) {
     RandomStream draw(seed, Purpose::edge_fuzziness, stream_index(attempt, i));
@@ -67,15 +68,18 @@ std::vector<std::int32_t> voronoi_cells(const System<2>& system, std::span<const
   return cell;
 }
 
-void cut_between_cells(PairTable& pairs, std::span<const TouchingPair> touching, std::span<const std::int32_t> cell) {
+void cut_between_cells(PairTable& pairs, std::span<const TouchingPair> touching,
+                       std::span<const std::int32_t> cell) {
   for (const TouchingPair& pair : touching)
     if (cell[pair.first] != cell[pair.second]) cut_if_linked(pairs, pair.row);
 }
 
-CutLine random_cut_line(const Box<2>& box, double avoid_horizontal, std::uint64_t seed, int attempt, int line) {
+CutLine random_cut_line(const Box<2>& box, double avoid_horizontal, std::uint64_t seed, int attempt,
+                        int line) {
   RandomStream draw(seed, Purpose::cut_line, stream_index(attempt, line));
   const Vec2 point = random_point(box, draw);
-  // A line is horizontal where its normal is vertical. One draw from the allowed range equals redrawing until allowed.
+  // A line is horizontal where its normal is vertical. One draw from the allowed range equals redrawing until
+  // allowed.
   const double steepest = std::numbers::pi / 2 - avoid_horizontal;
   const double angle = draw.uniform(-steepest, steepest);
   return {point, {std::cos(angle), std::sin(angle)}};
@@ -90,7 +94,8 @@ void cut_along_line(System<2>& system, std::span<const TouchingPair> touching, c
 }
 
 void cut_along_plates(System<2>& system, std::span<const TouchingPair> touching) {
-  for (const double y : {0.0, system.box.length[gradient]}) cut_along_line(system, touching, {{0, y}, {0, 1}});
+  for (const double y : {0.0, system.box.length[gradient]})
+    cut_along_line(system, touching, {{0, y}, {0, 1}});
 }
 
 }  // namespace supple

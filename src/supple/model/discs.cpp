@@ -22,7 +22,8 @@ void check(const DiscSpec& spec, double area) {
 
 /// Whether the disc wins its coin; discs 2k and 2k+1 share one, so that exactly one of them is large.
 bool is_large_of_two(std::uint64_t seed, int disc) {
-  const bool first_is_large = RandomStream(seed, Purpose::disc_size, static_cast<std::uint64_t>(disc / 2)).uniform() < 0.5;
+  const bool first_is_large =
+      RandomStream(seed, Purpose::disc_size, static_cast<std::uint64_t>(disc / 2)).uniform() < 0.5;
   return first_is_large == (disc % 2 == 0);
 }
 
@@ -72,31 +73,35 @@ System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t s
   for (int i = 0; i < spec.count; ++i) {
     const bool large = RandomStream(seed, Purpose::disc_size, static_cast<std::uint64_t>(i)).below(2) == 1;
     const Vec2 x = random_position(box, seed, i);
-    add_disc(system.state, {std::floor(x[0]), std::floor(x[1])}, unit * (large ? std::sqrt(b) : 1 / std::sqrt(b)),
-             spec.density * mean_square);
+    add_disc(system.state, {std::floor(x[0]), std::floor(x[1])},
+             unit * (large ? std::sqrt(b) : 1 / std::sqrt(b)), spec.density * mean_square);
   }
   return system;
 }
 
 System<2> hexagonal_discs(int columns, int rows, double spacing, double radius, double density) {
   if (columns < 1 || rows < 2 || rows % 2 != 0)
-    throw input_error(fmt::format("a lattice of {} columns and {} rows", columns, rows), "it cannot be periodic",
-                      "give at least one column and an even number of rows");
+    throw input_error(fmt::format("a lattice of {} columns and {} rows", columns, rows),
+                      "it cannot be periodic", "give at least one column and an even number of rows");
   System<2> system;
   const double row_height = 0.5 * std::sqrt(3.0) * spacing;
   system.box.length = {columns * spacing, rows * row_height};
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column)
-      add_disc(system.state, {(column + (row % 2 ? 0.75 : 0.25)) * spacing, (row + 0.5) * row_height}, radius, density);
+      add_disc(system.state, {(column + (row % 2 ? 0.75 : 0.25)) * spacing, (row + 0.5) * row_height}, radius,
+               density);
   return system;
 }
 
-System<2> listed_discs(const Box<2>& box, const std::vector<Vec2>& position, const std::vector<double>& radius,
-                       double density, const std::vector<Vec2>& velocity, const std::vector<double>& spin) {
-  const auto fits = [&](std::size_t size, bool optional) { return size == position.size() || (optional && size == 0); };
+System<2> listed_discs(const Box<2>& box, const std::vector<Vec2>& position,
+                       const std::vector<double>& radius, double density, const std::vector<Vec2>& velocity,
+                       const std::vector<double>& spin) {
+  const auto fits = [&](std::size_t size, bool optional) {
+    return size == position.size() || (optional && size == 0);
+  };
   if (!fits(radius.size(), false) || !fits(velocity.size(), true) || !fits(spin.size(), true))
-    throw input_error(fmt::format("lists of {} positions, {} radii, {} velocities and {} spins", position.size(),
-                                  radius.size(), velocity.size(), spin.size()),
+    throw input_error(fmt::format("lists of {} positions, {} radii, {} velocities and {} spins",
+                                  position.size(), radius.size(), velocity.size(), spin.size()),
                       "they describe different numbers of discs", "give one value per disc");
   System<2> system;
   system.box = box;

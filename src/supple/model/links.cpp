@@ -23,8 +23,8 @@ std::vector<TouchingPair> touching_pairs(const System<2>& system) {
   const auto& radius = system.state.radius;
   const PairTable& pairs = system.pairs;
   if (static_cast<int>(pairs.begin.size()) != system.state.size() + 1)
-    throw input_error("the pair table does not belong to these discs", "it was never built, or discs were added",
-                      "update the neighbour list first");
+    throw input_error("the pair table does not belong to these discs",
+                      "it was never built, or discs were added", "update the neighbour list first");
   std::vector<TouchingPair> touching;
   for (std::int32_t row = 0; row < pairs.size(); ++row) {
     const std::int32_t i = pairs.first[row], j = pairs.second[row];
@@ -53,7 +53,8 @@ std::vector<std::int32_t> link_rows(const System<2>& system, LinkKind kind) {
 std::vector<std::int32_t> connected_particles(const System<2>& system, LinkKind kind) {
   const int n = system.state.size();
   DisjointSets sets(n);
-  for (const std::int32_t row : link_rows(system, kind)) sets.merge(system.pairs.first[row], system.pairs.second[row]);
+  for (const std::int32_t row : link_rows(system, kind))
+    sets.merge(system.pairs.first[row], system.pairs.second[row]);
 
   std::vector<std::int32_t> particle(n, -1), number_of_root(n, -1);
   std::int32_t count = 0;

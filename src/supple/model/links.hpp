@@ -8,7 +8,8 @@
 
 namespace supple {
 
-/// A pair of discs in contact: its row in the pair table, and the vector from `first` to the nearest image of `second`.
+/// A pair of discs in contact: its row in the pair table, and the vector from `first` to the nearest image of
+/// `second`.
 struct TouchingPair {
   std::int32_t row, first, second;
   Vec2 separation;
@@ -21,17 +22,19 @@ std::vector<TouchingPair> touching_pairs(const System<2>& system);
 
 /// Makes the pair of this row a permanent link with no elongation; its rest distance is the sum of the radii.
 void link(PairTable& pairs, std::int32_t row);
-/// Turns the link of this row into an ordinary contact with no elongation (slipping: the next evaluation decides).
+/// Turns the link of this row into an ordinary contact with no elongation (slipping: the next evaluation
+/// decides).
 void cut(PairTable& pairs, std::int32_t row);
 
-/// Which links hold a particle together: all, or the physical ones, which do not cross a periodic boundary. The
-/// published particles are those of the physical links: a particle ends where the cell does.
+/// Which links hold a particle together: all, or the physical ones, which do not cross a periodic boundary.
+/// The published particles are those of the physical links: a particle ends where the cell does.
 enum class LinkKind { all, physical };
 
 /// Rows of the links of this kind, ascending.
 std::vector<std::int32_t> link_rows(const System<2>& system, LinkKind kind);
 
-/// Particle of each disc, numbered from 0 in the order of their first discs: discs joined by links share a number.
+/// Particle of each disc, numbered from 0 in the order of their first discs: discs joined by links share a
+/// number.
 std::vector<std::int32_t> connected_particles(const System<2>& system, LinkKind kind = LinkKind::physical);
 
 /// Height max(y + r) - min(y - r) of each particle [length].
