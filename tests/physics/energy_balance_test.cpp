@@ -25,8 +25,7 @@ struct Account {
 
 /// One cycle of 20 % strain in so many steps, from this state.
 Account shear_one_cycle(System<2> system, const Case& c, int steps) {
-  const std::unique_ptr<DiscDynamics> dynamics = make_dynamics(c, derive_constants(c, nullptr));
-  dynamics->set_plates(plates_of(c));
+  const std::unique_ptr<DiscDynamics> dynamics = testing::documented_dynamics(c);
   const OscillatoryProtocol protocol = testing::one_cycle(c, steps);
   EnergyBalance balance;
   dynamics->set_account(&balance);

@@ -1,6 +1,7 @@
 /// Prepared suspensions for physics tests: relaxed, crosslinked, between plates, as a case asks.
 #pragma once
 #include <cmath>
+#include <memory>
 
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/protocol.hpp"
@@ -11,6 +12,13 @@ namespace supple::testing {
 inline Suspension prepared_suspension(const Case& c) {
   MemoryRecorder recorder;
   return make_suspension(c, nullptr, recorder);
+}
+
+/// A fresh stepper of the documented model for the discs of this case, its plates in place.
+inline std::unique_ptr<DiscDynamics> documented_dynamics(const Case& c) {
+  std::unique_ptr<DiscDynamics> dynamics = make_dynamics(c, derive_constants(c, nullptr));
+  dynamics->set_plates(plates_of(c));
+  return dynamics;
 }
 
 /// One cycle of the case's amplitude and frequency in so many steps, without rests.
