@@ -99,7 +99,7 @@ void record_sample_text(Recorder& to) {
   to.begin(info);
   const auto value = [&](const char* group, const char* name, double x) { to.value(group, {name, "", ""}, x); };
   value("constants", "mean_mass", in_si(sample_number("Particle mass m = "), 1e-6));
-  value("constants", "spring_constant", in_si(sample_number("Characteristic spring constant = "), 1e-6));
+  value("constants", "link_spring_constant", in_si(sample_number("Characteristic spring constant = "), 1e-6));
   value("constants", "time_constant", sample_number("Characteristic time constant = "));
   value("constants", "frequency", sample_number("Frequency = "));
   value("constants", "time_step", sample_number("Time step = "));

@@ -43,11 +43,11 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
-  const double damping = damping_per_step(c, initial, s.damping);
+  s.damping = damping_per_step(c, initial, s.damping);
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));
-  record_constants(s, derive_dynamics(c, initial), recorder);
+  record_constants(s, initial, derive_dynamics(c, initial), recorder);
   StressTable table(recorder, s.units, c.output.tensors);
   const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
   for (std::int64_t i = 0; i < steps; ++i) {
@@ -55,7 +55,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation);
     if (i % every == 0) recorder.frame(make_frame(s.system, evaluation));
-    s.stepper->advance(s.system, rates, s.time_step, damping);
+    s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
     if (!recorder.stop_requested()) continue;
     recorder.final_state(s.system, evaluation);

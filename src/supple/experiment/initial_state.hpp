@@ -19,6 +19,8 @@ struct MaterialConstants {
   std::optional<bool> keep_viscosity_coefficients_constant;
 };
 inline constexpr auto material_group = "material";
+/// Group of a run for what else its continuation takes over: dt, cool_factor, applying_shear, reset_force_each_step.
+inline constexpr auto protocol_group = "protocol";
 
 /// visit(name, constant) for each; the names are those of the files.
 template <class Constants, class Visit>

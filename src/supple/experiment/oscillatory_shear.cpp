@@ -94,7 +94,9 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   s.system.time = 0;
   s.system.step = 0;
   recorder.begin(make_run_info(s.system, s.units));
-  record_constants(s, derive_oscillatory_shear(c, initial), recorder);
+  s.time_step = protocol.time_step;
+  s.damping = protocol.damping;
+  record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
   StressTable table(recorder, s.units, c.output.tensors);
   FrameSchedule frames(protocol.rows, c.output.images > 0 ? c.output.images : c.output.frames);
@@ -107,7 +109,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
       recorder.final_state(s.system, evaluation);
       throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));
     }
-    if (i < protocol.steps) s.stepper->advance(s.system, rates, protocol.time_step, protocol.damping);
+    if (i < protocol.steps) s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("oscillatory shear", i, protocol.steps);
   }
   const Evaluation<2>& last = s.stepper->evaluate(s.system, {});

@@ -125,11 +125,20 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
 
 bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
 
-void record_constants(const Suspension& s, const std::vector<Derived>& derived, Recorder& recorder) {
+void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
+                      Recorder& recorder) {
   for (const Derived& d : derived) recorder.value("constants", d.name, d.value);
   for_each_constant(s.material, [&](const char* name, const auto& constant) {
     if (constant) recorder.value(material_group, {name, "", "constant of the contact law, in the units of the run"}, *constant);
   });
+  const auto take_over = [&](const char* name, const char* meaning, double value) {
+    recorder.value(protocol_group, {name, "", meaning}, value);
+  };
+  take_over("dt", "time step, in the units of the run", s.time_step);
+  take_over("cool_factor", "factor per step on velocity relative to the flow", s.damping);
+  take_over("applying_shear", "1: plates take part, as the case says", !initial || initial->applying_shear.value_or(true));
+  take_over("reset_force_each_step", "0: forces on discs of the plates pile up, as in the package",
+            !initial || initial->reset_force_each_step);
 }
 
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder) {

@@ -24,8 +24,10 @@ struct Suspension {
 /// if the discs do not come to rest, and what make_* of the fidelity throw. Time starts at the state's own.
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
 
-/// Records the derived numbers, and the constants of the contact law that a continuation starts with.
-void record_constants(const Suspension& s, const std::vector<Derived>& derived, Recorder& recorder);
+/// Records the derived numbers, and what a continuation takes over besides the final state: constants of the contact law,
+/// step and damping, the ways of the plates. `initial`: what this run started from, or null.
+void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
+                      Recorder& recorder);
 
 /// Whether the case asks for what the published package computes.
 bool is_package(const Case& c);

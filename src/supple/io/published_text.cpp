@@ -25,7 +25,7 @@ struct Facts {
     const Units units = particleshear_units();
     const auto constant = [&](const char* name, double unit = 1) { return run.value("constants", name) / unit; };
     mass = constant("mean_mass", units.mass);
-    spring = constant("spring_constant", units.stiffness());
+    spring = constant("link_spring_constant", units.stiffness());
     tau = constant("time_constant");
     frequency = constant("frequency");
     time_step = constant("time_step");
@@ -135,7 +135,7 @@ std::string disc_information(const Facts& f) {
                      real(f.info.mass[0] * f.to_mass));
 }
 
-/// Links against free contacts. Of the two texts on viscosity and on height only the first of each is documented.
+/// Links against free contacts; the characteristic spring is that of links, which re-enforcement leaves alone. Of the two texts on viscosity and on height only the first of each is documented.
 std::string link_parameters(const Facts& f) {
   const bool keep = f.c.material.keep_viscosity_coefficients_constant;
   return fmt::format("Adjustment coefficient for central force in permanent links = {}[-], 0=no central force, 1=as in "

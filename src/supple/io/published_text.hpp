@@ -12,7 +12,7 @@ namespace supple {
 /// has tensors. Same labels, order and number style as the package; lengths in micrometre, masses in mg.
 ///
 /// Needs of the run, besides case and discs:
-///   constants (SI): mean_mass, spring_constant, time_constant, frequency, time_step, damping_factor; where links were
+///   constants (SI): mean_mass, link_spring_constant, time_constant, frequency, time_step, damping_factor; where links were
 ///                   removed at random: removed_link_fraction
 ///   material (run's units): k, nu, k_t, nu_t, mu, permanent_ratio_central, permanent_ratio_tangential
 ///   results: in_phase_stress_internal, out_of_phase_stress_internal, storage_modulus_internal, loss_modulus_internal,

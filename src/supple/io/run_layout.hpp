@@ -8,7 +8,7 @@
 ///     /tables/T/C   column C of table T, one value per row; attributes unit, meaning
 ///     /frames       step, time, ... (F); position, velocity, force (F, N, 2); angle, spin, torque, mobility (F, N);
 ///                   contacts of frame k: rows contact_begin[k] .. + contact_count[k] of contact_first, ... (all i < j)
-///     /constants /results /material   one scalar per number; attributes unit, meaning and, where known, error
+///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where known, error
 ///     /warnings     texts
 ///     /final_state  the whole system and its forces (see system_archive.hpp)
 #pragma once

@@ -215,6 +215,11 @@ InitialState read_run(const std::string& path) {
   for_each_constant(out.material, [&]<class T>(const char* name, std::optional<T>& constant) {
     if (const auto value = run.find_value(material_group, name)) constant = static_cast<T>(*value);
   });
+  for (const RunValue& v : run.values(protocol_group)) {
+    if (v.name.name == "applying_shear") out.applying_shear = v.value != 0;
+    else if (v.name.name == "reset_force_each_step") out.reset_force_each_step = v.value != 0;
+    else out.protocol[v.name.name] = v.value;
+  }
   return out;
 }
 
