@@ -22,7 +22,7 @@ TEST(ParticleShearLaw, ForcesAreThePackages) {
     expect_equal(-repulsion<ParticleShearElastic::divergent>(d, d0, c), point["default"]);
     expect_equal(-repulsion<ParticleShearElastic::plateau>(d, d0, c), point["plateau"]);
     expect_equal(tension<ParticleShearTensile::linear>(d, d0, c), point["tensile_linear"]);
-    expect_equal(tension<ParticleShearTensile::exponential>(d, d0, c), point["tensile_exp"]);
+    expect_equal(tension<ParticleShearTensile::saturating>(d, d0, c), point["tensile_exp"]);
   }
 }
 
@@ -30,7 +30,8 @@ TEST(ParticleShearScales, AreThePackages) {
   for (const auto& p : read_reference_json("model_parameters.json")) {
     SCOPED_TRACE(p.dump());
     const auto scales = [&](double size_ratio) {
-      return particleshear_scales(p["N"], 500.0 * 500.0, p["packing_fraction"], p["E"], p["density"], size_ratio);
+      return particleshear_scales(p["N"], 500.0 * 500.0, p["packing_fraction"], p["E"], p["density"],
+                                  size_ratio);
     };
     const ParticleShearScales s = scales(p["bimodal_factor"]);
     expect_equal(s.radius, p["r"]);

@@ -32,7 +32,9 @@ TEST_P(Protocol, DerivedNumbersAreThePackages) {
   const auto reference = read_run(GetParam());
   const ParticleShearRun run = derive_particleshear(package_case(reference));
   EXPECT_EQ(run.steps, reference["results"]["steps_shear"]);
-  const auto expect = [](double mine, double theirs) { EXPECT_LE(std::abs(mine / theirs - 1), 1e-14) << theirs; };
+  const auto expect = [](double mine, double theirs) {
+    EXPECT_LE(std::abs(mine / theirs - 1), 1e-14) << theirs;
+  };
   expect(run.dt, reference["dt"]);
   expect(run.frequency, reference["f"]);
   expect(run.damping, reference["cool_factor"]);
@@ -95,13 +97,15 @@ TEST_P(Protocol, OscillationIsReproduced) {
     internal.push_back(t.shear_internal());
     external.push_back(t.shear_external());
     if (step % 16 == 0 || step == run.steps - 1)
-      rows.push_back({static_cast<double>(step), system.time, system.box.strain, system.box.strain_rate, external.back(),
-                      internal.back(), t.love_weber[0][0], t.love_weber[0][1], t.love_weber[1][0], t.love_weber[1][1]});
+      rows.push_back({static_cast<double>(step), system.time, system.box.strain, system.box.strain_rate,
+                      external.back(), internal.back(), t.love_weber[0][0], t.love_weber[0][1],
+                      t.love_weber[1][0], t.love_weber[1][1]});
     stepper.advance(system, {rate, rate}, run.dt, run.damping);
   }
   expect_series(table, rows);
 
-  const supple::Protocol protocol{run.frequency, run.amplitude, run.pre_periods, run.periods, run.post_periods};
+  const supple::Protocol protocol{run.frequency, run.amplitude, run.pre_periods, run.periods,
+                                  run.post_periods};
   const auto expect_moduli = [&](const std::vector<double>& stress, const nlohmann::json& theirs) {
     const Demodulation d = demodulate(time, stress, protocol, DriftCorrection::published);
     const double mine[] = {d.in_phase, d.out_of_phase, d.storage, d.loss};

@@ -13,7 +13,9 @@
 
 namespace supple::testing {
 
-inline std::string reference_path(const std::string& file) { return SUPPLE_TEST_DATA "/particleshear/" + file; }
+inline std::string reference_path(const std::string& file) {
+  return SUPPLE_TEST_DATA "/particleshear/" + file;
+}
 
 inline nlohmann::json read_reference_json(const std::string& file) {
   std::ifstream in(reference_path(file));
@@ -58,7 +60,9 @@ inline ParticleShearConstants reference_constants(const nlohmann::json& params) 
 }
 
 inline ContactState reference_contact_state(const std::string& type) {
-  return type == "permanent" ? ContactState::permanent : type == "slip" ? ContactState::slip : ContactState::stick;
+  return type == "permanent" ? ContactState::permanent
+         : type == "slip"    ? ContactState::slip
+                             : ContactState::stick;
 }
 
 inline System<2> reference_system(const nlohmann::json& params, const nlohmann::json& initial) {

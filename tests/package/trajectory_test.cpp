@@ -25,8 +25,9 @@ Row columns(const System<2>& system, const Evaluation<2>& e) {
   const State<2>& s = system.state;
   Row row{static_cast<double>(system.step), system.time, system.box.strain, system.box.strain_rate};
   for (int i = 0; i < s.size(); ++i)
-    row.insert(row.end(), {s.position[i][0], s.position[i][1], s.velocity[i][0], s.velocity[i][1], s.angle[i], s.spin[i],
-                           e.force[i][0], e.force[i][1], e.torque[i], s.mobility[i] == Mobility::free ? 1.0 : 0.0});
+    row.insert(row.end(),
+               {s.position[i][0], s.position[i][1], s.velocity[i][0], s.velocity[i][1], s.angle[i], s.spin[i],
+                e.force[i][0], e.force[i][1], e.torque[i], s.mobility[i] == Mobility::free ? 1.0 : 0.0});
   const StressTensors t = stress_tensors(system, e, particleshear_units().stress());
   for (const Mat2& m : {t.love_weber, t.external, t.linear_acceleration, t.otsuki, t.tangential_torque,
                         t.internal_torque, t.centrifugal, t.overall})
@@ -60,7 +61,8 @@ Neighbors parse_neighbors(const std::string& text) {
   return all;
 }
 
-void expect_close(const std::string& column, const std::vector<double>& mine, const std::vector<double>& reference) {
+void expect_close(const std::string& column, const std::vector<double>& mine,
+                  const std::vector<double>& reference) {
   double largest = 0, difference = 0;
   for (std::size_t i = 0; i < reference.size(); ++i) {
     largest = std::max(largest, std::abs(reference[i]));
@@ -97,7 +99,8 @@ TEST_P(Trajectory, IsReproduced) {
       ASSERT_EQ(here.size(), there.size()) << "contacts at step " << step;
       for (const auto& [pair, contact] : there) {
         ASSERT_TRUE(here.count(pair)) << pair.first << '>' << pair.second << " at step " << step;
-        ASSERT_EQ(here.at(pair).first, contact.first) << pair.first << '>' << pair.second << " at step " << step;
+        ASSERT_EQ(here.at(pair).first, contact.first)
+            << pair.first << '>' << pair.second << " at step " << step;
         mine[count].push_back(here.at(pair).second);
         reference[count].push_back(contact.second);
       }
@@ -115,17 +118,17 @@ TEST_P(Trajectory, IsReproduced) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    ParticleShear, Trajectory,
-    ::testing::Values("boundary_free_plus_wall", "ensemble12_free_mu0.01", "ensemble12_linked", "pair_LE_x",
-                      "pair_LE_y_shear", "pair_free_slip_mu0.01", "pair_free_stick_mu0.5",
-                      "pair_free_stickslip_k20_mu0.3_crc1", "pair_linked", "pair_linked_adjustable_keepF",
-                      "pair_linked_stretch_crc1"),
-    [](const auto& param) {
-      std::string name = param.param;
-      std::replace(name.begin(), name.end(), '.', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(ParticleShear, Trajectory,
+                         ::testing::Values("boundary_free_plus_wall", "ensemble12_free_mu0.01",
+                                           "ensemble12_linked", "pair_LE_x", "pair_LE_y_shear",
+                                           "pair_free_slip_mu0.01", "pair_free_stick_mu0.5",
+                                           "pair_free_stickslip_k20_mu0.3_crc1", "pair_linked",
+                                           "pair_linked_adjustable_keepF", "pair_linked_stretch_crc1"),
+                         [](const auto& param) {
+                           std::string name = param.param;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace supple::testing

@@ -14,7 +14,8 @@ inline std::string read_gzip(const std::string& path) {
   std::string text;
   char buffer[1 << 16];
   int count;
-  while ((count = gzread(file, buffer, sizeof buffer)) > 0) text.append(buffer, static_cast<std::size_t>(count));
+  while ((count = gzread(file, buffer, sizeof buffer)) > 0)
+    text.append(buffer, static_cast<std::size_t>(count));
   gzclose(file);
   if (count < 0) throw std::runtime_error("cannot read " + path);
   return text;

@@ -1,4 +1,5 @@
-/// How the published package prepares a suspension: fixed numbers of steps, first coarse and damped, then finer.
+/// How the published package prepares a suspension: fixed numbers of steps, first coarse and damped, then
+/// finer.
 #include <cmath>
 #include <numbers>
 
@@ -14,8 +15,8 @@ using Stages = std::vector<Stage>;
 using Friction = Stage::Friction;
 using Then = Stage::Then;
 
-/// Without plates: n frictionless steps at each of dt_max, dt_max/2, ... while above dt, with less and less damping and
-/// the mean velocity taken out; then n at dt without friction; then n with it (`last`).
+/// Without plates: n frictionless steps at each of dt_max, dt_max/2, ... while above dt, with less and less
+/// damping and the mean velocity taken out; then n at dt without friction; then n with it (`last`).
 void relax_freely(Stages& stages, int n, double dt_max, double dt, Friction last = Friction::on) {
   double damping = 0.5;
   for (double step = dt_max; step > dt; step /= 2) {
@@ -45,7 +46,8 @@ double linked_dt_max(const Case& c, const ParticleShearRun& run) {
   return c.material.relative_transversal_link_strength > 5 ? dt_max / 2 : dt_max;
 }
 
-/// The crosslinked particles; the smaller the amplitude, the longer. Returns the dt_max that is in force afterwards.
+/// The crosslinked particles; the smaller the amplitude, the longer. Returns the dt_max that is in force
+/// afterwards.
 double relax_linked(Stages& stages, const Case& c, const ParticleShearRun& run) {
   const double amplitude = c.shear.amplitude;
   double dt_max = linked_dt_max(c, run);
@@ -60,7 +62,8 @@ double relax_linked(Stages& stages, const Case& c, const ParticleShearRun& run) 
     relax_freely(stages, 100, dt_max, run.dt, Friction::off);
     relax_freely(stages, 100, dt_max, run.dt);
   }
-  const bool reenforced = c.material.interface_reenforcement_central != 1 || c.material.interface_reenforcement_tangential != 1;
+  const bool reenforced =
+      c.material.interface_reenforcement_central != 1 || c.material.interface_reenforcement_tangential != 1;
   if (amplitude <= 0.001 && reenforced) {
     dt_max /= 3;
     relax_freely(stages, 200, dt_max, run.dt);
@@ -143,7 +146,8 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
   for (const Stage& stage : stages) total += stage.steps;
   for (const Stage& stage : stages) {
     stepper.set_friction(stage.friction == Friction::on ? run.constants.mu : 0);
-    stepper.set_plates(stage.plates == Plates::capture && c.box.plates == "none" ? Plates::none : stage.plates);
+    stepper.set_plates(stage.plates == Plates::capture && c.box.plates == "none" ? Plates::none
+                                                                                 : stage.plates);
     for (std::int64_t i = 0; i < stage.steps; ++i) {
       if (progress) progress(system.step, total);
       stepper.evaluate(system, {});

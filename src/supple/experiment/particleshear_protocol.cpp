@@ -13,15 +13,17 @@ constexpr double pi = std::numbers::pi;
 
 void reject_what_the_package_lacks(const Case& c) {
   const auto reject = [](const std::string& key, const std::string& value, const std::string& instead) {
-    throw input_error(key + " = \"" + value + "\" with physics = \"particleshear-1.0.2\"", "the package does not have it",
-                      "use " + instead + ", or physics = \"documented\"");
+    throw input_error(key + " = \"" + value + "\" with physics = \"particleshear-1.0.2\"",
+                      "the package does not have it", "use " + instead + ", or physics = \"documented\"");
   };
   const Material& m = c.material;
   if (m.elastic_law == "hertz" || m.elastic_law == "expression")
     reject("material.elastic_law", m.elastic_law, "\"divergent\", \"linear\" or \"plateau\"");
-  if (m.tensile_law == "exponential") reject("material.tensile_law", m.tensile_law, "\"linear\" or \"saturating\"");
+  if (m.tensile_law == "exponential")
+    reject("material.tensile_law", m.tensile_law, "\"linear\" or \"saturating\"");
   if (c.is_given("material.slip") && m.slip != "reset") reject("material.slip", m.slip, "\"reset\"");
-  if (c.is_given("material.lever_arm") && m.lever_arm != "radius") reject("material.lever_arm", m.lever_arm, "\"radius\"");
+  if (c.is_given("material.lever_arm") && m.lever_arm != "radius")
+    reject("material.lever_arm", m.lever_arm, "\"radius\"");
   if (c.box.boundary != "lees_edwards") reject("box.boundary", c.box.boundary, "\"lees_edwards\"");
   if (c.box.plates == "repulsive") reject("box.plates", c.box.plates, "\"capture\"");
 }
@@ -42,7 +44,7 @@ ParticleShearConstants contact_constants(const Material& m, const ParticleShearS
   p.permanent_ratio_tangential = 1 / tangential;
   p.keep_viscosity_coefficients_constant = keep;
   p.elastic = m.elastic_law == "plateau" ? ParticleShearElastic::plateau : ParticleShearElastic::divergent;
-  p.tensile = m.tensile_law == "saturating" ? ParticleShearTensile::exponential : ParticleShearTensile::linear;
+  p.tensile = m.tensile_law == "saturating" ? ParticleShearTensile::saturating : ParticleShearTensile::linear;
   p.plateau_begin = m.plateau_begin;
   p.plateau_end = m.plateau_end;
   p.plateau_slope = m.plateau_slope;
@@ -51,7 +53,8 @@ ParticleShearConstants contact_constants(const Material& m, const ParticleShearS
 }
 
 void choose_time_steps(const Case& c, ParticleShearRun& run) {
-  const double mu = c.material.friction, viscosity = c.material.relative_viscosity, amplitude = c.shear.amplitude;
+  const double mu = c.material.friction, viscosity = c.material.relative_viscosity,
+               amplitude = c.shear.amplitude;
   const double transversal = c.material.relative_transversal_link_strength;
   const double b = c.particles.bimodal_factor, tau = run.scales.tau;
 
@@ -75,9 +78,10 @@ void choose_time_steps(const Case& c, ParticleShearRun& run) {
 /// What the state's file says wins over the case, unless the user gave the key.
 void take_from_state(const Case& c, const InitialState& initial, ParticleShearRun& run) {
   if (initial.units.name != particleshear_units().name)
-    throw input_error("a state in units \"" + initial.units.name + "\" with physics = \"particleshear-1.0.2\"",
-                      "the package computes in \"" + particleshear_units().name + "\"",
-                      "start from a state of this physics, or use physics = \"documented\"");
+    throw input_error(
+        "a state in units \"" + initial.units.name + "\" with physics = \"particleshear-1.0.2\"",
+        "the package computes in \"" + particleshear_units().name + "\"",
+        "start from a state of this physics, or use physics = \"documented\"");
   const auto take = [&](const char* key, const auto& stored, auto& value) {
     if (stored && !c.is_given(key)) value = *stored;
   };
@@ -88,9 +92,11 @@ void take_from_state(const Case& c, const InitialState& initial, ParticleShearRu
   take("material.relative_viscosity", m.nu, p.nu);
   take("material.relative_viscosity", m.nu_t, p.nu_t);
   take("material.friction", m.mu, p.mu);
-  take("material.central_repulsion_coefficient", m.central_repulsion_coefficient, p.central_repulsion_coefficient);
+  take("material.central_repulsion_coefficient", m.central_repulsion_coefficient,
+       p.central_repulsion_coefficient);
   take("material.interface_reenforcement_central", m.permanent_ratio_central, p.permanent_ratio_central);
-  take("material.interface_reenforcement_tangential", m.permanent_ratio_tangential, p.permanent_ratio_tangential);
+  take("material.interface_reenforcement_tangential", m.permanent_ratio_tangential,
+       p.permanent_ratio_tangential);
   take("material.keep_viscosity_coefficients_constant", m.keep_viscosity_coefficients_constant,
        p.keep_viscosity_coefficients_constant);
 
@@ -108,8 +114,8 @@ void take_from_state(const Case& c, const InitialState& initial, ParticleShearRu
 
 }  // namespace
 
-ParticleShearScales particleshear_scales(int discs, double area, double packing_fraction, double young_modulus,
-                                         double density, double size_ratio) {
+ParticleShearScales particleshear_scales(int discs, double area, double packing_fraction,
+                                         double young_modulus, double density, double size_ratio) {
   const double mean_square = (size_ratio + 1 / size_ratio) / 2;
   const Units units = particleshear_units();
   ParticleShearScales s;
@@ -130,8 +136,9 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
   reject_what_the_package_lacks(c);
   const double um = particleshear_units().length;
   ParticleShearRun run;
-  run.scales = particleshear_scales(c.particles.discs, c.box.width / um * (c.box.height / um), c.particles.packing_fraction,
-                                    c.material.young_modulus, c.material.density);
+  run.scales =
+      particleshear_scales(c.particles.discs, c.box.width / um * (c.box.height / um),
+                           c.particles.packing_fraction, c.material.young_modulus, c.material.density);
   run.constants = contact_constants(c.material, run.scales);
   run.frequency = c.shear.relative_frequency / run.scales.tau;
   run.amplitude = c.shear.amplitude;
@@ -144,7 +151,8 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
   if (initial) take_from_state(c, *initial, run);
 
   run.damping = std::pow(c.shear.cool_factor, 1 / (1 / run.frequency / run.dt));
-  run.steps = static_cast<std::int64_t>((run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt);
+  run.steps =
+      static_cast<std::int64_t>((run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt);
   return run;
 }
 
@@ -152,8 +160,8 @@ std::vector<Derived> derived_constants(const ParticleShearRun& run) {
   const ParticleShearConstants& p = run.constants;
   const double central = p.permanent_ratio_central, tangential = p.permanent_ratio_tangential;
   const bool keep = p.keep_viscosity_coefficients_constant;
-  return name_constants({run.scales.mass, run.scales.tau, p.mu, p.k, p.k_t, p.nu, p.nu_t, p.k * central, p.k_t * tangential,
-                         p.nu * (keep ? 1 : central), p.nu_t * (keep ? 1 : tangential)},
+  return name_constants({run.scales.mass, run.scales.tau, p.mu, p.k, p.k_t, p.nu, p.nu_t, p.k * central,
+                         p.k_t * tangential, p.nu * (keep ? 1 : central), p.nu_t * (keep ? 1 : tangential)},
                         particleshear_units());
 }
 

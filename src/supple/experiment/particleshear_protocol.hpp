@@ -21,27 +21,27 @@ struct ParticleShearScales {
 };
 
 /// Scales for `discs` discs in an area [um^2]; Young modulus [Pa], density [kg/m^3].
-ParticleShearScales particleshear_scales(int discs, double area, double packing_fraction, double young_modulus,
-                                         double density, double size_ratio = 1);
+ParticleShearScales particleshear_scales(int discs, double area, double packing_fraction,
+                                         double young_modulus, double density, double size_ratio = 1);
 
 /// Everything that a run of the package derives from its parameters before the first step.
 struct ParticleShearRun {
   ParticleShearConstants constants;
   ParticleShearScales scales;
-  double dt = 0;             ///< time step of the protocol [s]
-  double first_dt_max = 0;   ///< where the very first relaxation starts [s]
-  double dt_max = 0;         ///< where later relaxations start [s]
-  double frequency = 0;      ///< [Hz]
+  double dt = 0;            ///< time step of the protocol [s]
+  double first_dt_max = 0;  ///< where the very first relaxation starts [s]
+  double dt_max = 0;        ///< where later relaxations start [s]
+  double frequency = 0;     ///< [Hz]
   double amplitude = 0, pre_periods = 0, periods = 0, post_periods = 0;
-  double damping = 1;        ///< of velocity and spin, per step
+  double damping = 1;  ///< of velocity and spin, per step
   std::int64_t steps = 0;
 
   /// Shear rate [1/s] of a step that starts at `time`; zero before and after the oscillation.
   double rate_at(std::int64_t step, double time) const;
 };
 
-/// Constants, time step and protocol of a case, or of the state that it starts from; keys that the user gave win over
-/// the state's numbers. Throws an input error on what the package does not have.
+/// Constants, time step and protocol of a case, or of the state that it starts from; keys that the user gave
+/// win over the state's numbers. Throws an input error on what the package does not have.
 ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial = nullptr);
 
 /// What a run records of it.
@@ -61,8 +61,8 @@ struct ParticleShearStage {
 /// The whole preparation, in order.
 std::vector<ParticleShearStage> particleshear_preparation(const Case& c, const ParticleShearRun& run);
 
-/// Discs at random, relaxed, crosslinked, cut, and relaxed between the plates: the system before the first step of the
-/// protocol, at time zero. `progress(done, total)` is called before every step and may throw.
+/// Discs at random, relaxed, crosslinked, cut, and relaxed between the plates: the system before the first
+/// step of the protocol, at time zero. `progress(done, total)` is called before every step and may throw.
 System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, ParticleShearStepper& stepper,
                                 const std::function<void(std::int64_t, std::int64_t)>& progress = {});
 

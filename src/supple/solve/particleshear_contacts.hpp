@@ -1,18 +1,31 @@
 /// The two passes of a particleShear step over the contacts: forces, then elongations while the discs move.
 #pragma once
+#include <vector>
+
 #include "supple/contact/laws/particleshear.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
-namespace supple::particleshear {
+namespace supple {
 
-/// Adds forces and torques of all contacts to `out` and fills its pair rows, trial states and trial history (two
-/// elongations a row). The box must be periodic in both directions.
-void evaluate_contacts(const System<2>& system, const ParticleShearConstants& constants, Evaluation<2>& out);
+/// Holds nothing between calls but memory that is used again.
+class ParticleShearContacts {
+ public:
+  /// Adds forces and torques of all contacts to `out` and fills its pair rows, trial states and trial history
+  /// (two elongations a row). The box must be periodic in both directions.
+  void evaluate(const System<2>& system, const ParticleShearConstants& constants, Evaluation<2>& out);
 
-/// Takes over the trial states and adds v_t dt to the elongations of contacts that stick or are linked. Called between
-/// the change of velocities and that of positions: the package moves one disc after the other and lets each visit its
-/// contacts before it moves, so `first` sees both discs where they were, `second` sees `first` where it will be.
-void elongate_contacts(System<2>& system, const Evaluation<2>& evaluation, double dt);
+  /// Takes over the trial states and adds v_t dt to the elongations of contacts that stick or are linked.
+  /// Called between the change of velocities and that of positions: the package moves one disc after the
+  /// other and lets each visit its contacts before it moves, so `first` sees both discs where they were,
+  /// `second` sees `first` where it will be.
+  void elongate(System<2>& system, const Evaluation<2>& evaluation, double dt);
 
-}  // namespace supple::particleshear
+ private:
+  void collect(const State<2>& state);
+
+  std::vector<Vec2> rim_;                     ///< radius and speed of the rim, r w, of each disc
+  std::vector<Vec<4>> as_first_, as_second_;  ///< sums over contacts of force and couple
+};
+
+}  // namespace supple

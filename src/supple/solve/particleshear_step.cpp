@@ -6,7 +6,6 @@
 
 #include "supple/core/error.hpp"
 #include "supple/solve/disc_dynamics.hpp"
-#include "supple/solve/particleshear_contacts.hpp"
 
 namespace supple {
 namespace {
@@ -26,7 +25,8 @@ void hold_by_plates(System<2>& system, Plates plates) {
 void give_each_partner_an_elongation(PairTable& pairs) {
   if (pairs.width == 2) return;
   std::vector<double> history;
-  for (int row = 0; row < pairs.size(); ++row) history.insert(history.end(), 2, pairs.history[row * pairs.width]);
+  for (int row = 0; row < pairs.size(); ++row)
+    history.insert(history.end(), 2, pairs.history[row * pairs.width]);
   pairs.history = std::move(history);
   pairs.width = 2;
 }
@@ -62,7 +62,8 @@ void move(System<2>& system, double dt) {
 
 void ParticleShearStepper::set_plates(Plates plates) {
   if (plates == Plates::repulsive)
-    throw input_error("plates = \"repulsive\" with physics = \"particleshear-1.0.2\"", "the package's plates capture discs",
+    throw input_error("plates = \"repulsive\" with physics = \"particleshear-1.0.2\"",
+                      "the package's plates capture discs",
                       "use \"capture\" or \"none\", or physics = \"documented\"");
   plates_ = plates;
 }
@@ -74,8 +75,8 @@ void ParticleShearStepper::update_neighbors(System<2>& system) {
 
 const Evaluation<2>& ParticleShearStepper::evaluate(System<2>& system, ShearRates rates) {
   if (!system.box.periodic[flow] || !system.box.periodic[gradient])
-    throw input_error("a cell that is not periodic with physics = \"particleshear-1.0.2\"", "the package has none",
-                      "use boundary = \"lees_edwards\", or physics = \"documented\"");
+    throw input_error("a cell that is not periodic with physics = \"particleshear-1.0.2\"",
+                      "the package has none", "use boundary = \"lees_edwards\", or physics = \"documented\"");
   set_strain_rate(system, rates.now);
   hold_by_plates(system, plates_);
   update_neighbors(system);
@@ -83,7 +84,7 @@ const Evaluation<2>& ParticleShearStepper::evaluate(System<2>& system, ShearRate
   carried_force_.resize(discs);
   evaluation_.force = carried_force_;
   evaluation_.torque.assign(discs, 0.0);
-  particleshear::evaluate_contacts(system, constants_, evaluation_);
+  contacts_.evaluate(system, constants_, evaluation_);
   return evaluation_;
 }
 
@@ -103,7 +104,7 @@ void ParticleShearStepper::accelerate(System<2>& system, double dt) {
 void ParticleShearStepper::advance(System<2>& system, ShearRates, double dt, double damping) {
   accelerate(system, dt);
   cool(system, damping);
-  particleshear::elongate_contacts(system, evaluation_, dt);
+  contacts_.elongate(system, evaluation_, dt);
   move(system, dt);
   system.time += dt;
   ++system.step;

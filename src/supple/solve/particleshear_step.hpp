@@ -2,25 +2,26 @@
 #pragma once
 #include <vector>
 
-#include "supple/contact/laws/particleshear.hpp"
 #include "supple/contact/neighbor_list.hpp"
+#include "supple/solve/particleshear_contacts.hpp"
 #include "supple/solve/stepper.hpp"
 
 namespace supple {
 
-/// What becomes of the force on plate discs after a step: the package's protocol zeroes it; its relaxation lets it
-/// accumulate (it moves nothing, but is reported).
+/// What becomes of the force on plate discs after a step: the package's protocol zeroes it; its relaxation
+/// lets it accumulate (it moves nothing, but is reported).
 enum class PlateForce { reset, accumulate };
 
-/// Semi-implicit Euler as the package does it, in micrometre, milligram and second. Contacts remember two elongations
-/// (PairTable of width 2): that of `first` toward `second`, and that of `second`.
+/// Semi-implicit Euler as the package does it, in micrometre, milligram and second. Contacts remember two
+/// elongations (PairTable of width 2): that of `first` toward `second`, and that of `second`.
 class ParticleShearStepper : public Stepper {
  public:
-  explicit ParticleShearStepper(const ParticleShearConstants& constants, PlateForce plate_force = PlateForce::reset)
+  explicit ParticleShearStepper(const ParticleShearConstants& constants,
+                                PlateForce plate_force = PlateForce::reset)
       : constants_(constants), plate_force_(plate_force) {}
 
-  /// Brings velocities and spins to the rate `now`, decides which discs the plates hold, and evaluates all contacts.
-  /// Throws an input error unless the box is periodic in both directions.
+  /// Brings velocities and spins to the rate `now`, decides which discs the plates hold, and evaluates all
+  /// contacts. Throws an input error unless the box is periodic in both directions.
   const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) override;
   void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
 
@@ -40,6 +41,7 @@ class ParticleShearStepper : public Stepper {
   PlateForce plate_force_;
   Plates plates_ = Plates::none;
   NeighborList<2> neighbors_;
+  ParticleShearContacts contacts_;
   Evaluation<2> evaluation_;
   std::vector<Vec2> carried_force_;  ///< accumulated on plate discs
 };

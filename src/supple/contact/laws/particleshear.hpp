@@ -1,5 +1,5 @@
-/// Contact laws of the published package particleShear 1.0.2, quirk by quirk. Every force is per metre of depth; the
-/// functions are branch-free, so that a loop over contacts vectorises.
+/// Contact laws of the published package particleShear 1.0.2, quirk by quirk. Every force is per metre of
+/// depth; the functions are branch-free, so that a loop over contacts vectorises.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,29 +10,30 @@ namespace supple {
 /// How a compressed contact repels: with the exact distance, or with one mapped through a plateau.
 enum class ParticleShearElastic { divergent, plateau };
 /// How a stretched link pulls.
-enum class ParticleShearTensile { linear, exponential };
+enum class ParticleShearTensile { linear, saturating };
 
 /// Constants of all contacts. Free contacts use k, nu, k_t, nu_t; permanent links multiply them by the ratios
 /// (viscosities only where they are not kept constant).
 struct ParticleShearConstants {
-  double k = 1;    ///< central spring [mass / time^2]
-  double nu = 0;   ///< central viscosity [mass / time]
-  double k_t = 1;  ///< tangential spring [mass / time^2]
-  double nu_t = 0; ///< tangential viscosity [mass / time]
-  double mu = 0;   ///< friction coefficient
+  double k = 1;                              ///< central spring [mass / time^2]
+  double nu = 0;                             ///< central viscosity [mass / time]
+  double k_t = 1;                            ///< tangential spring [mass / time^2]
+  double nu_t = 0;                           ///< tangential viscosity [mass / time]
+  double mu = 0;                             ///< friction coefficient
   double central_repulsion_coefficient = 1;  ///< 1: divergent (S1-5b), 0: linear (S1-5a)
   double permanent_ratio_central = 1, permanent_ratio_tangential = 1;
   bool keep_viscosity_coefficients_constant = false;
   ParticleShearElastic elastic = ParticleShearElastic::divergent;
   ParticleShearTensile tensile = ParticleShearTensile::linear;
-  double plateau_begin = 0.3, plateau_end = 0.8, plateau_slope = 0.1;  ///< shares of d0; slope relative to no plateau
+  double plateau_begin = 0.3, plateau_end = 0.8,
+         plateau_slope = 0.1;  ///< shares of d0; slope relative to no plateau
   double tensile_range = 0.2;  ///< strain over which exponential tension grows by e
 };
 
 namespace particleshear {
 
-/// Repulsion [force] at distance d, d0 = r_i + r_j: k (1 - c) (d0 - d) + k c d0 (d0 / d - 1), S1-5a and S1-5b. The
-/// divergence ends at d0/1000: at most 999 k d0 for c = 1.
+/// Repulsion [force] at distance d, d0 = r_i + r_j: k (1 - c) (d0 - d) + k c d0 (d0 / d - 1), S1-5a and
+/// S1-5b. The divergence ends at d0/1000: at most 999 k d0 for c = 1.
 inline double divergent_repulsion(double d, double d0, const ParticleShearConstants& c) {
   const double share = c.central_repulsion_coefficient;
   const double linear = c.k * (1 - share) * (d0 - d);
@@ -54,7 +55,8 @@ double repulsion(double d, double d0, const ParticleShearConstants& c) {
   else return divergent_repulsion(plateau_distance(d, d0, c), d0, c);
 }
 
-/// Tension [force] of a link stretched to d: k (d - d0), or k d0 D (1 - exp(-(d - d0) / (d0 D))), D = tensile_range.
+/// Tension [force] of a link stretched to d: k (d - d0), or k d0 D (1 - exp(-(d - d0) / (d0 D))), D =
+/// tensile_range.
 template <ParticleShearTensile law>
 double tension(double d, double d0, const ParticleShearConstants& c) {
   if constexpr (law == ParticleShearTensile::linear) return c.k * (d - d0);
@@ -62,7 +64,9 @@ double tension(double d, double d0, const ParticleShearConstants& c) {
 }
 
 /// The force with its magnitude cut to the limit.
-inline double limited(double force, double limit) { return std::copysign(std::min(std::abs(force), limit), force); }
+inline double limited(double force, double limit) {
+  return std::copysign(std::min(std::abs(force), limit), force);
+}
 
 /// What multiplies the forces of free contacts, or of links.
 struct Coefficients {
@@ -75,14 +79,15 @@ inline Coefficients link_coefficients(const ParticleShearConstants& c) {
           c.k_t * c.permanent_ratio_tangential, c.nu_t * (keep ? 1 : c.permanent_ratio_tangential)};
 }
 
-/// What a contact is at one instant. v_n: speed of separation; v_t = (v_j - v_i).t - (r_i w_i + r_j w_j), uncompressed
-/// radii; the two elongations are those that each partner keeps toward the other.
+/// What a contact is at one instant. v_n: speed of separation; v_t = (v_j - v_i).t - (r_i w_i + r_j w_j),
+/// uncompressed radii; the two elongations are those that each partner keeps toward the other.
 struct Contact {
   double distance, d0, v_n, v_t;
   double elongation, elongation_back;
 };
 
-/// Forces of a contact, signs as in PairForce, and what the partners remember. slips: 1 where it slips, else 0.
+/// Forces of a contact, signs as in PairForce, and what the partners remember. slips: 1 where it slips, else
+/// 0.
 struct Force {
   double elastic, viscous, tangential;
   double elongation, elongation_back;
@@ -90,9 +95,10 @@ struct Force {
 };
 
 /// Central and tangential forces of a contact that touches or is linked.
-/// Each partner visits it once and applies half of its tangential force to both, with its own elongation. A visit
-/// that slips zeroes both elongations, so that the second visit of the same step often sticks: the package's sliding
-/// is a saw-tooth at about half the Coulomb limit. A stretched link has no tangential viscosity.
+/// Each partner visits it once and applies half of its tangential force to both, with its own elongation. A
+/// visit that slips zeroes both elongations, so that the second visit of the same step often sticks: the
+/// package's sliding is a saw-tooth at about half the Coulomb limit. A stretched link has no tangential
+/// viscosity.
 template <ParticleShearElastic elastic_law, ParticleShearTensile tensile_law>
 inline Force contact_force(const Contact& x, bool permanent, const ParticleShearConstants& c,
                            const Coefficients& free, const Coefficients& link) {
@@ -101,20 +107,19 @@ inline Force contact_force(const Contact& x, bool permanent, const ParticleShear
   const double limit = permanent ? std::numeric_limits<double>::infinity() : compressed * c.mu;
 
   const double k_t = permanent ? link.k_t : free.k_t;
-  const double nu_t = permanent ? link.nu_t : free.nu_t;
-  const double viscous = x.distance < x.d0 ? nu_t * x.v_t : 0.0;
+  const double viscous = (permanent ? link.nu_t : free.nu_t) * x.v_t * (x.distance < x.d0 ? 1.0 : 0.0);
   const double first = k_t * x.elongation + viscous;
-  const double kept_back = std::abs(first) > limit ? 0.0 : x.elongation_back;
-  const double second = k_t * kept_back + viscous;
-  const double kept = std::max(std::abs(first), std::abs(second)) > limit ? 0.0 : 1.0;
+  const double first_sticks = std::abs(first) > limit ? 0.0 : 1.0;
+  const double second = k_t * (first_sticks * x.elongation_back) + viscous;
+  const double second_sticks = std::abs(second) > limit ? 0.0 : 1.0;
 
   Force f;
   f.elastic = (permanent ? link.ratio : free.ratio) * (x.distance < x.d0 ? compressed : stretched);
   f.viscous = -(permanent ? link.nu : free.nu) * x.v_n;
   f.tangential = 0.5 * limited(first, limit) + 0.5 * limited(second, limit);
-  f.elongation = kept * x.elongation;
-  f.elongation_back = kept * x.elongation_back;
-  f.slips = std::abs(second) > limit ? 1.0 : 0.0;
+  f.elongation = first_sticks * second_sticks * x.elongation;
+  f.elongation_back = first_sticks * second_sticks * x.elongation_back;
+  f.slips = 1 - second_sticks;
   return f;
 }
 
