@@ -214,6 +214,7 @@ TEST(Crosslink, EveryDiscOfADenseSystemHasALink) {
     CrosslinkSpec spec;
     spec.cut_lines = 60;  // about three discs a particle: many are left alone
     spec.edge_fuzziness = 2;
+    spec.join = seed % 2 ? IsolatedJoin::before_height_check : IsolatedJoin::last;
     const CrosslinkReport report = crosslink(system, spec, seed);
     EXPECT_GT(report.joined, 0);
     std::vector<int> links(system.state.size(), 0);

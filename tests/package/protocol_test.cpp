@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "supple/experiment/particleshear_protocol.hpp"
+#include "supple/model/links.hpp"
 #include "supple/observe/demodulate.hpp"
 #include "supple/observe/stress.hpp"
 #include "tests/package/reference.hpp"
@@ -62,6 +63,29 @@ TEST_P(Protocol, PreparationHasThePackagesStages) {
     EXPECT_NEAR((stage - 1)->dt, theirs["dt"], 1e-14 * run.dt) << theirs["stage"];
   }
   EXPECT_EQ(stage, stages.end());
+}
+
+TEST_P(Protocol, PreparedSuspensionIsAsThePackages) {
+  const auto reference = read_run(GetParam());
+  const Case c = package_case(reference);
+  const ParticleShearRun run = derive_particleshear(c);
+  ParticleShearStepper stepper(run.constants), again(run.constants);
+  System<2> system = prepare_particleshear(c, run, stepper);
+  const StressTensors t =
+      stress_tensors(system, stepper.evaluate(system, {}), particleshear_units().stress());
+  // The reference runs of 45 discs: 1023 to 1367 Pa, 8 to 12 discs on the plates.
+  EXPECT_NEAR(0.5 * (t.love_weber[0][0] + t.love_weber[1][1]), 1195, 250);
+  const auto held = system.state.size() -
+                    std::count(system.state.mobility.begin(), system.state.mobility.end(), Mobility::free);
+  EXPECT_GE(held, 5);
+  EXPECT_LE(held, 15);
+  EXPECT_EQ(system.time, 0);
+  EXPECT_EQ(system.box.strain, 0);
+  EXPECT_EQ(stepper.friction(), run.constants.mu);
+  EXPECT_EQ(connected_particles(system, LinkKind::all) == std::vector<std::int32_t>(system.state.size(), 0),
+            c.particles.permanent_links);
+  const System<2> twin = prepare_particleshear(c, run, again);
+  EXPECT_EQ(twin.state.position, system.state.position);
 }
 
 /// mine[c][r] against theirs[c][r], each column to 1e-9 of its largest entry.

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "supple/experiment/particleshear_protocol.hpp"
-#include "supple/model/crosslink.hpp"
+#include "supple/experiment/suspension.hpp"
 #include "supple/model/discs.hpp"
 
 namespace supple {
@@ -96,20 +96,8 @@ void relax_between_plates(Stages& stages, const Case& c, const ParticleShearRun&
   add(n, run.dt, run.damping);
 }
 
-CrosslinkSpec crosslink_spec(const Particles& p) {
-  CrosslinkSpec spec;
-  spec.cut = p.cut == "lines" ? CutKind::lines : CutKind::voronoi;
-  spec.cut_lines = p.cut_lines;
-  spec.edge_fuzziness = p.edge_fuzziness;
-  spec.avoid_horizontal = p.avoid_horizontal_angle_degree * std::numbers::pi / 180;
-  spec.avoid_height_spanning = p.avoid_height_spanning_particles;
-  spec.max_tries = p.max_cut_tries;
-  spec.cut_top_bottom = p.cut_top_bottom;
-  spec.remove_link_fraction = p.remove_link_fraction;
-  return spec;
-}
-
-void remove_drift(State<2>& s) {
+/// The package does not weigh by mass.
+void remove_mean_velocity(State<2>& s) {
   Vec2 mean{};
   for (const Vec2& v : s.velocity) mean += (1.0 / s.size()) * v;
   for (Vec2& v : s.velocity) v -= mean;
@@ -134,11 +122,9 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
   const Units units = particleshear_units();
   const auto seed = static_cast<std::uint64_t>(c.general.seed);
   const Particles& p = c.particles;
-  Box<2> box;
-  const double per_metre = 1 / units.length;  // a power of ten: 500 um stay 500 exactly
-  box.length = {c.box.width * per_metre, c.box.height * per_metre};
   System<2> system = package_discs(
-      box, {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()}, seed);
+      make_box(c, units),
+      {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()}, seed);
   std::fill(system.state.angle.begin(), system.state.angle.end(), -std::numbers::pi / 2);
 
   const Stages stages = particleshear_preparation(c, run);
@@ -153,10 +139,10 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
       stepper.evaluate(system, {});
       stepper.advance(system, {}, stage.dt, stage.damping);
     }
-    if (stage.then == Then::remove_drift) remove_drift(system.state);
+    if (stage.then == Then::remove_drift) remove_mean_velocity(system.state);
     if (stage.then == Then::link) {
       stepper.update_neighbors(system);
-      crosslink(system, crosslink_spec(p), seed);
+      crosslink(system, crosslink_spec(c), seed);
     }
   }
   system.time = 0;

@@ -8,12 +8,9 @@
 #include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/relaxation.hpp"
 #include "supple/model/convert.hpp"
-#include "supple/model/crosslink.hpp"
 #include "supple/model/discs.hpp"
 
 namespace supple {
-
-namespace {
 
 Box<2> make_box(const Case& c, const Units& units) {
   Box<2> box;
@@ -32,10 +29,14 @@ CrosslinkSpec crosslink_spec(const Case& c) {
           p.avoid_height_spanning_particles,
           p.max_cut_tries,
           p.cut_top_bottom,
-          p.remove_link_fraction};
+          p.remove_link_fraction,
+          is_package(c) ? IsolatedJoin::last : IsolatedJoin::before_height_check};
 }
 
-/// The shear stress amplitude to expect, A E/20: between free discs (E/40 at A = 0.2) and a bulk scaffold (E/5).
+namespace {
+
+/// The shear stress amplitude to expect, A E/20: between free discs (E/40 at A = 0.2) and a bulk scaffold
+/// (E/5).
 double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
 
 /// From a state file: contacts remember; plates as the state or the case says.
@@ -47,13 +48,16 @@ void adopt_state(Suspension& s, const Case& c, const InitialState& initial) {
   s.stepper->set_plates(plates || c.is_given("box.plates") ? plates_of(c) : Plates::none);
 }
 
-void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double frequency, Recorder& recorder) {
-  recorder.declare("preparation", {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
+void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double frequency,
+                        Recorder& recorder) {
+  recorder.declare("preparation",
+                   {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
   const double periods_to_steps = 1 / (s.time_step * frequency);
   RelaxationSpec spec;
   spec.time_step = s.time_step;
   spec.tolerance = c.preparation.stress_tolerance * expected_stress(c);
-  spec.most_steps = std::max<std::int64_t>(1000, std::llround(c.preparation.max_relaxation_periods * periods_to_steps));
+  spec.most_steps =
+      std::max<std::int64_t>(1000, std::llround(c.preparation.max_relaxation_periods * periods_to_steps));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
     remove_drift(s.system);
@@ -66,9 +70,11 @@ void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, do
   relax_until_still("relax with friction", false);
   if (c.particles.permanent_links) {
     dynamics.evaluate(s.system, {});
-    const CrosslinkReport report = crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
+    const CrosslinkReport report =
+        crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
     if (c.particles.remove_link_fraction > 0)
-      recorder.value("constants", {"removed_link_fraction", "", "links removed at random"}, report.removed_fraction);
+      recorder.value("constants", {"removed_link_fraction", "", "links removed at random"},
+                     report.removed_fraction);
     dynamics.invalidate();
     relax_until_still("relax crosslinked particles", false);
   }
@@ -90,7 +96,8 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
     adopt_state(s, c, *initial);
     return s;
   }
-  const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor, c.material.density};
+  const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
+                      c.material.density};
   s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
   prepare_documented(s, stepper, c, k.frequency, recorder);
   s.system.time = 0;
@@ -99,8 +106,15 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
 }
 
 MaterialConstants material_of(const ParticleShearConstants& p) {
-  return {p.k, p.nu, p.k_t, p.nu_t, p.mu, p.central_repulsion_coefficient, p.permanent_ratio_central,
-          p.permanent_ratio_tangential, p.keep_viscosity_coefficients_constant};
+  return {p.k,
+          p.nu,
+          p.k_t,
+          p.nu_t,
+          p.mu,
+          p.central_repulsion_coefficient,
+          p.permanent_ratio_central,
+          p.permanent_ratio_tangential,
+          p.keep_viscosity_coefficients_constant};
 }
 
 Suspension make_package(const Case& c, const InitialState* initial, Recorder& recorder) {
@@ -109,7 +123,8 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
   auto stepper = std::make_unique<ParticleShearStepper>(run.constants,
                                                         reset ? PlateForce::reset : PlateForce::accumulate);
   ParticleShearStepper& package = *stepper;
-  Suspension s{particleshear_units(), {}, std::move(stepper), run.dt, run.damping, material_of(run.constants)};
+  Suspension s{particleshear_units(),     {}, std::move(stepper), run.dt, run.damping,
+               material_of(run.constants)};
   if (initial) {
     adopt_state(s, c, *initial);
     return s;
@@ -129,14 +144,17 @@ void record_constants(const Suspension& s, const InitialState* initial, const st
                       Recorder& recorder) {
   for (const Derived& d : derived) recorder.value("constants", d.name, d.value);
   for_each_constant(s.material, [&](const char* name, const auto& constant) {
-    if (constant) recorder.value(material_group, {name, "", "constant of the contact law, in the units of the run"}, *constant);
+    if (constant)
+      recorder.value(material_group, {name, "", "constant of the contact law, in the units of the run"},
+                     *constant);
   });
   const auto take_over = [&](const char* name, const char* meaning, double value) {
     recorder.value(protocol_group, {name, "", meaning}, value);
   };
   take_over("dt", "time step, in the units of the run", s.time_step);
   take_over("cool_factor", "factor per step on velocity relative to the flow", s.damping);
-  take_over("applying_shear", "1: plates take part, as the case says", !initial || initial->applying_shear.value_or(true));
+  take_over("applying_shear", "1: plates take part, as the case says",
+            !initial || initial->applying_shear.value_or(true));
   take_over("reset_force_each_step", "0: forces on discs of the plates pile up, as in the package",
             !initial || initial->reset_force_each_step);
 }

@@ -6,11 +6,13 @@
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
+#include "supple/model/crosslink.hpp"
 #include "supple/solve/stepper.hpp"
 
 namespace supple {
 
-/// Discs, the stepper that moves them, and the step and damping (factor per step) of the protocol, in the run's units.
+/// Discs, the stepper that moves them, and the step and damping (factor per step) of the protocol, in the
+/// run's units.
 struct Suspension {
   Units units;
   System<2> system;
@@ -19,15 +21,22 @@ struct Suspension {
   MaterialConstants material;
 };
 
-/// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed, crosslinked and
-/// cut, relaxed again, plates in place. Progress and the table "preparation" go to the recorder. Throws a numerics error
-/// if the discs do not come to rest, and what make_* of the fidelity throw. Time starts at the state's own.
+/// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed,
+/// crosslinked and cut, relaxed again, plates in place. Progress and the table "preparation" go to the
+/// recorder. Throws a numerics error if the discs do not come to rest, and what make_* of the fidelity throw.
+/// Time starts at the state's own.
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
 
-/// Records the derived numbers, and what a continuation takes over besides the final state: constants of the contact law,
-/// step and damping, the ways of the plates. `initial`: what this run started from, or null.
+/// Records the derived numbers, and what a continuation takes over besides the final state: constants of the
+/// contact law, step and damping, the ways of the plates. `initial`: what this run started from, or null.
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder);
+
+/// The cell of a case, in these units.
+Box<2> make_box(const Case& c, const Units& units);
+
+/// How the case makes crosslinked particles.
+CrosslinkSpec crosslink_spec(const Case& c);
 
 /// Whether the case asks for what the published package computes.
 bool is_package(const Case& c);

@@ -70,8 +70,8 @@ CrosslinkReport crosslink(System<2>& system, const CrosslinkSpec& spec, std::uin
     const int attempt = report.tries++;
     link_all(system, touching);
     cut_into_particles(system, touching, spec, seed, attempt);
-    report.joined = join_isolated_discs(system, touching, seed,
-                                        attempt);  // before the check: it may make particles taller
+    if (spec.join == IsolatedJoin::before_height_check)
+      report.joined = join_isolated_discs(system, touching, seed, attempt);
     too_tall = !any_height && tallest_particle(system) > height_limit;
   }
 
@@ -79,6 +79,8 @@ CrosslinkReport crosslink(System<2>& system, const CrosslinkSpec& spec, std::uin
   report.removed = remove_links(system, spec.remove_link_fraction, seed);
   report.removed_fraction =
       physical == 0 ? 0 : static_cast<double>(report.removed) / static_cast<double>(physical);
+  if (spec.join == IsolatedJoin::last)
+    report.joined = join_isolated_discs(system, touching, seed, report.tries);
   report.links = static_cast<int>(link_rows(system, LinkKind::all).size());
   report.particle = connected_particles(system);
   report.height = particle_heights(system.state, report.particle);

@@ -11,6 +11,10 @@ namespace supple {
 /// How the scaffold is cut: into the Voronoi cells of random points, or by random straight lines.
 enum class CutKind { voronoi, lines };
 
+/// When isolated discs join a neighbour: before the particles' heights are checked, as joining makes them taller, or
+/// last, as in the published package, where a particle may end up taller than allowed.
+enum class IsolatedJoin { before_height_check, last };
+
 /// The keys of a case that make crosslinked particles (documentation, Table S2-1).
 struct CrosslinkSpec {
   CutKind cut = CutKind::voronoi;
@@ -21,6 +25,7 @@ struct CrosslinkSpec {
   int max_tries = 1000;
   bool cut_top_bottom = false;      ///< also cut along the two plates
   double remove_link_fraction = 0;  ///< of the physical links; particles stay connected
+  IsolatedJoin join = IsolatedJoin::before_height_check;
 
   bool is_bulk() const { return cut_lines == 0 || (cut == CutKind::voronoi && cut_lines == 1); }
 };

@@ -21,16 +21,6 @@ void hold_by_plates(System<2>& system, Plates plates) {
   }
 }
 
-/// A table with one elongation per row gets two equal ones.
-void give_each_partner_an_elongation(PairTable& pairs) {
-  if (pairs.width == 2) return;
-  std::vector<double> history;
-  for (int row = 0; row < pairs.size(); ++row)
-    history.insert(history.end(), 2, pairs.history[row * pairs.width]);
-  pairs.history = std::move(history);
-  pairs.width = 2;
-}
-
 /// Velocity relative to the flow, and spin (relative to nothing), times `factor`; plate discs too.
 void cool(System<2>& system, double factor) {
   State<2>& s = system.state;
@@ -69,7 +59,7 @@ void ParticleShearStepper::set_plates(Plates plates) {
 }
 
 void ParticleShearStepper::update_neighbors(System<2>& system) {
-  give_each_partner_an_elongation(system.pairs);
+  if (system.pairs.width != 2) set_history_width(system.pairs, 2);
   neighbors_.update(system);
 }
 
