@@ -70,7 +70,7 @@ void StressTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   external_corrected_.push_back(corrected);
   periodic_.push_back(s.shear_periodic());
   virial_.push_back(s.shear_virial());
-  pressure_.push_back(0.5 * (s.overall[0][0] + s.overall[1][1]));
+  pressure_.push_back(s.pressure());
 }
 
 }  // namespace supple
