@@ -1,22 +1,28 @@
 /// The documents say what the code does.
 #include <gmock/gmock.h>
 
-#include <fstream>
+#include <filesystem>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <string>
 
 #include "supple/io/case_file.hpp"
+#include "tests/app/command.hpp"
 
 namespace supple {
 namespace {
 
 std::string document(const std::string& name) {
-  std::ifstream in(std::string(SUPPLE_SOURCE_DIR) + "/docs/" + name);
-  EXPECT_TRUE(in) << name;
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
+  const std::string text = read_text(std::string(SUPPLE_SOURCE_DIR) + "/" + name);
+  EXPECT_FALSE(text.empty()) << name;
+  return text;
+}
+
+/// The first block of this language below the heading.
+std::string code_block(const std::string& text, const std::string& heading, const std::string& language) {
+  const std::string fence = "```" + language + "\n";
+  const auto begin = text.find(fence, text.find("## " + heading + "\n")) + fence.size();
+  return text.substr(begin, text.find("```", begin) - begin);
 }
 
 std::set<std::string> all_keys() {
@@ -30,7 +36,7 @@ std::set<std::string> all_keys() {
 }
 
 TEST(Guide, ParameterTablesAreThoseOfTheCode) {
-  const std::string text = document("parameters.md"), tables = describe_parameters();
+  const std::string text = document("docs/parameters.md"), tables = describe_parameters();
   EXPECT_NE(text.find(tables), std::string::npos) << "docs/parameters.md should end with\n" << tables;
 }
 
@@ -38,12 +44,42 @@ TEST(Guide, NamesOnlyKeysThatExist) {
   const std::set<std::string> keys = all_keys();
   const std::regex mention("`((material|particles|box|shear|time|preparation|initial|output)\\.\\w+)( = [^`]*)?`");
   int mentions = 0;
-  for (const char* name : {"guide.md", "theory/microgel.md"}) {
+  for (const char* name : {"docs/guide.md", "docs/theory/microgel.md"}) {
     const std::string text = document(name);
     for (std::sregex_iterator m(text.begin(), text.end(), mention), end; m != end; ++m, ++mentions)
       EXPECT_TRUE(keys.count((*m)[1])) << name << " mentions " << (*m)[1];
   }
   EXPECT_GT(mentions, 20);
+}
+
+/// What the documents tell a reader to type, typed.
+class Examples : public CommandTest {
+ protected:
+  void run_script(const std::string& interpreter, const std::string& script) {
+    write("script", script);
+    const std::string folder = std::filesystem::path(SUPPLE_COMMAND).parent_path().string();
+    const std::string line = "cd '" + path("").string() + "' && PATH='" + folder + "':\"$PATH\" " + interpreter +
+                             " script >log 2>&1";
+    EXPECT_EQ(std::system(line.c_str()), 0) << read_text(path("log"));
+  }
+};
+
+TEST_F(Examples, FirstStepsOfTheReadme) {
+  const std::string steps = code_block(document("README.md"), "First steps", "sh");
+  run_script("sh -e", std::regex_replace(steps, std::regex("export PATH.*"), ""));
+  EXPECT_TRUE(exists("gel.pdf") && exists("gel.csv"));
+}
+
+TEST_F(Examples, FirstRunOfTheGuide) {
+  run_script("sh -e", code_block(document("docs/guide.md"), "A first run", "sh"));
+  EXPECT_TRUE(exists("end.pdf") && exists("gel_cell.png"));
+}
+
+TEST_F(Examples, ReadingARunInPython) {
+  write_small_case("gel.toml");
+  ASSERT_EQ(supple("run gel.toml").code, 0);
+  run_script("/usr/bin/python3", code_block(document("docs/guide.md"), "Reading a run in Python", "python"));
+  EXPECT_THAT(read_text(path("log")), testing::HasSubstr("G' = "));
 }
 
 }  // namespace
