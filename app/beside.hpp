@@ -2,11 +2,11 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
-#include "supple/experiment/recorder.hpp"
-#include "supple/io/new_file.hpp"
 
 namespace supple::command {
 
@@ -19,5 +19,8 @@ std::string export_path(const std::string& run, const std::string& to);
 
 /// The state that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
+
+/// Derived numbers; errors name the case.
+std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState>& initial);
 
 }  // namespace supple::command

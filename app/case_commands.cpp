@@ -78,6 +78,14 @@ std::optional<InitialState> load_initial(const Case& c) {
   return read_state(c.initial.state);
 }
 
+std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState>& initial) {
+  try {
+    return derive(c, initial ? &*initial : nullptr);
+  } catch (const Error& e) {
+    throw Error(e.kind(), fmt::format("{}: {}", c.origin, e.what()));
+  }
+}
+
 Case load_case(const CaseChoice& choice) {
   Case c = read_case(choice.path, choice.set);
   if (choice.threads > 0) c.general.threads = choice.threads;
@@ -116,7 +124,7 @@ void init(const std::string& experiment, const std::string& path, Existing exist
 void check(const CaseChoice& choice, Format format) {
   const Case c = load_case(choice);
   const std::optional<InitialState> initial = load_initial(c);
-  const std::vector<Derived> derived = derive(c, initial ? &*initial : nullptr);
+  const std::vector<Derived> derived = derive_case(c, initial);
   const std::vector<std::string> doubts = find_doubts(c);
   const int discs = initial ? initial->system.state.size() : c.particles.discs;
   const auto steps = find(derived, "steps");

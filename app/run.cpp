@@ -89,7 +89,7 @@ void write_beside(const Case& c, const std::string& run, Existing existing, Comm
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
   const Case c = load_case(choice);
   const std::optional<InitialState> initial = load_initial(c);
-  derive(c, initial ? &*initial : nullptr);  // its input errors come before any file
+  derive_case(c, initial);  // its input errors come before any file
   const std::string file = run_path(c, choice.path, path);
   check_outputs(c, file, existing);
   for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);

@@ -1,6 +1,7 @@
 /// Bad input is refused with a message, the right exit code, and nothing written or overwritten.
 #include <gmock/gmock.h>
 
+#include "supple/io/run_file.hpp"
 #include "tests/app/command.hpp"
 
 namespace supple {
@@ -50,6 +51,26 @@ TEST_F(BadInput, TimeStepAboveTheStabilityLimit) {
 }
 TEST_F(BadInput, RateThatIsNoExpression) {
   expect_refused("experiment = \"dynamics\"\n[time]\nsteps = 10\n[shear]\nrate = \"10*cos(\"\n", 2, "rate");
+}
+
+TEST_F(BadInput, LawsThatDivergeAttractOrAreNotFinite) {
+  const std::string law = "[material]\nelastic_law = \"expression\"\nelastic_expression = ";
+  expect_refused(law + "\"k*(d0-d)*d0/d\"\n", 2, "diverges: 3.26");
+  expect_refused(law + "\"-k*(d0-d)\"\n", 2, "attracts at d = ");
+  expect_refused(law + "\"k*log(d-d0)\"\n", 2, "c.toml: [material] elastic_expression \"k*log(d-d0)\" is ");
+  expect_refused(law + "\"k*(d0-d\"\n", 2, "cannot be read (Missing parenthesis)");
+  expect_refused(law + "\"\"\n", 2, "without material.elastic_expression");
+}
+
+TEST_F(BadInput, ARunThatBecomesNotFiniteStopsAndKeepsWhatItHad) {
+  const Outcome run = supple("run " SUPPLE_SOURCE_DIR
+                             "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=exp(10*(t-0.5)^3*1e6)'");
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_THAT(run.err, testing::ContainsRegex("disc [01] is not finite at step [0-9]+"));
+  EXPECT_THAT(run.err, HasSubstr("what was computed is in r.h5"));
+  const RunFile file(path("r.h5").string());
+  EXPECT_THAT(file.status(), testing::StartsWith("failed: disc"));
+  EXPECT_GT(file.frames(), 10);
 }
 
 TEST_F(BadInput, MissingCase) {

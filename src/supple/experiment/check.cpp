@@ -42,7 +42,7 @@ void check_material(const Case& c, Problems& problems) {
   const Material& m = c.material;
   if (m.elastic_law == "expression" && m.elastic_expression.empty())
     add(problems, c, "material.elastic_law = \"expression\" without material.elastic_expression",
-        "there is no law to use", "give one, for example elastic_expression = \"k*(d0-d)*d0/d\"");
+        "there is no law to use", "give one, for example elastic_expression = \"k*(d0-d)\"");
   if (m.elastic_law == "plateau" && m.plateau_begin >= m.plateau_end)
     add(problems, c,
         fmt::format("material.plateau_begin = {} is not below plateau_end = {}", m.plateau_begin,
