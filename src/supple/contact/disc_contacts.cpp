@@ -1,5 +1,7 @@
 #include "supple/contact/disc_contacts.hpp"
 
+#include <array>
+
 #include "supple/contact/coincident.hpp"
 
 namespace supple {
@@ -17,13 +19,164 @@ struct ChunkSum {
   }
 };
 
-void add_force(Evaluation<2>& out, const PairForce<2>& p, double share_i, double share_j, std::int32_t i, std::int32_t j) {
-  const Vec2 f = force_on_first(p);
-  const double couple = p.tangential * p.distance;
-  out.force[i] += f;
-  out.force[j] -= f;
-  out.torque[i] += couple * share_i;
-  out.torque[j] += couple * share_j;
+// Rows are taken in batches, each gathered into lanes, computed in loops that vectorise, and scattered. Only rows that
+// touch meet the law; which ones do in a dense packing cannot be predicted, so they are sorted out without branches.
+constexpr int batch_size = 64;
+using Lane = std::array<double, batch_size>;
+
+/// Rows of the table: vector to the nearest image, cells between the discs, d0 and d^2.
+struct Candidates {
+  int begin, count;
+  Lane x, y, along, up, d0, d2;
+};
+
+/// Rows that touch: contacts in the front lanes, links in the back ones.
+struct Touching {
+  int contacts = 0, links = 0, count = 0;
+  std::array<std::int32_t, batch_size> candidate;  ///< of each lane
+  std::array<std::int32_t, batch_size> lane;       ///< of each touching row, in the order of the table
+  Lane x, y, v_x, v_y, d0, elongation;
+  Lane rolling;  ///< r_i w_i + r_j w_j
+  Lane distance, n_x, n_y, v_n, v_t, elastic, viscous, tangential, new_elongation;
+  std::array<ContactState, batch_size> state;
+  Lane f_x, f_y, twist;  ///< on the first disc; torque per radius
+
+  int links_begin() const { return batch_size - links; }
+};
+
+void separate(const System<2>& system, const Box<2>::Images images, Candidates& c) {
+  const State<2>& s = system.state;
+  for (int k = 0; k < c.count; ++k) {
+    const auto i = system.pairs.first[c.begin + k], j = system.pairs.second[c.begin + k];
+    c.x[k] = s.position[j][0] - s.position[i][0];
+    c.y[k] = s.position[j][1] - s.position[i][1];
+    c.d0[k] = s.radius[i] + s.radius[j];
+  }
+  for (int k = 0; k < c.count; ++k) {
+    Vec2 r{c.x[k], c.y[k]};
+    const Vec2 cells = images.reduce(r);
+    c.x[k] = r[0];
+    c.y[k] = r[1];
+    c.along[k] = cells[flow];
+    c.up[k] = cells[gradient];
+    c.d2[k] = dot(r, r);
+  }
+}
+
+void select_touching(const PairTable& pairs, const Candidates& c, Touching& t) {
+  for (int k = 0; k < c.count; ++k) {
+    const bool linked = pairs.state[c.begin + k] == ContactState::permanent;
+    const bool touches = linked | (c.d2[k] < c.d0[k] * c.d0[k]);
+    const int lane = linked ? t.links_begin() - 1 : t.contacts;
+    t.candidate[lane] = k;
+    t.lane[t.count] = lane;
+    t.links += linked;
+    t.contacts += touches & !linked;
+    t.count += touches;
+  }
+}
+
+void gather_motion(const System<2>& system, const Candidates& c, Touching& t) {
+  const State<2>& s = system.state;
+  const double jump = system.box.velocity_jump(1)[flow];
+  for (int a = 0; a < t.count; ++a) {
+    const int lane = t.lane[a], k = t.candidate[lane], row = c.begin + k;
+    const auto i = system.pairs.first[row], j = system.pairs.second[row];
+    t.x[lane] = c.x[k];
+    t.y[lane] = c.y[k];
+    if (c.d2[k] == 0) [[unlikely]] {  // coincident centres are taken to be barely apart
+      const Vec2 n = arbitrary_direction(i, j);
+      t.x[lane] = 1e-150 * n[0];
+      t.y[lane] = 1e-150 * n[1];
+    }
+    t.d0[lane] = c.d0[k];
+    t.v_x[lane] = s.velocity[j][0] - s.velocity[i][0] - c.up[k] * jump;
+    t.v_y[lane] = s.velocity[j][1] - s.velocity[i][1];
+    t.rolling[lane] = s.radius[i] * s.spin[i] + s.radius[j] * s.spin[j];
+    t.elongation[lane] = system.pairs.history[row];
+  }
+}
+
+/// respond(motion, elongation) in lanes [begin, end). Share of the lever arm that goes with the distance: 1 or 0.
+/// Everything by value: the compiler then knows that no lane aliases it.
+template <class Respond>
+void apply_law(int begin, int end, const double share, Touching& t, const Respond respond) {
+  for (int k = begin; k < end; ++k) {
+    const double d = std::sqrt(t.x[k] * t.x[k] + t.y[k] * t.y[k]);
+    const Vec2 n{t.x[k] / d, t.y[k] / d}, v{t.v_x[k], t.v_y[k]};
+    const double arm = share * (d / t.d0[k]) + (1 - share);
+    const PairMotion motion{d, t.d0[k], dot(v, n), dot(v, turned_left(n)) - arm * t.rolling[k]};
+    const DiscResponse f = respond(motion, t.elongation[k]);
+    t.distance[k] = d;
+    t.n_x[k] = n[0];
+    t.n_y[k] = n[1];
+    t.v_n[k] = motion.v_n;
+    t.v_t[k] = motion.v_t;
+    t.elastic[k] = f.elastic;
+    t.viscous[k] = f.viscous;
+    t.tangential[k] = f.tangential.force;
+    t.new_elongation[k] = f.tangential.elongation;
+    t.state[k] = f.tangential.state;
+    const Vec2 force = force_on_first(f.elastic + f.viscous, f.tangential.force, n);
+    t.f_x[k] = force[0];
+    t.f_y[k] = force[1];
+    t.twist[k] = torque_per_radius(f.tangential.force, d, t.d0[k]);
+  }
+}
+
+/// Fills the rows of the evaluation: those that touch from the lanes, the others as open.
+void write_rows(const Candidates& c, const Touching& t, Evaluation<2>& out) {
+  PairForce<2>* pair = out.pair.data() + c.begin;
+  ContactState* state = out.trial_state.data() + c.begin;
+  double* history = out.trial_history.data() + c.begin;
+  std::fill_n(state, c.count, ContactState::open);
+  std::fill_n(history, c.count, 0.0);
+  for (int k = 0; k < c.count; ++k) pair[k].active = false;
+  for (int a = 0; a < t.count; ++a) {
+    const int lane = t.lane[a], k = t.candidate[lane];
+    pair[k] = {{t.n_x[lane], t.n_y[lane]}, t.distance[lane], t.elastic[lane], t.viscous[lane], t.tangential[lane],
+               static_cast<std::int32_t>(c.up[k]), c.up[k] != 0 || c.along[k] != 0, true};
+    state[k] = t.state[lane];
+    history[k] = t.new_elongation[lane];
+  }
+}
+
+void add_forces(const System<2>& system, const Candidates& c, const Touching& t, Evaluation<2>& out) {
+  const std::vector<double>& radius = system.state.radius;
+  for (int a = 0; a < t.count; ++a) {
+    const int lane = t.lane[a], row = c.begin + t.candidate[lane];
+    const auto i = system.pairs.first[row], j = system.pairs.second[row];
+    const Vec2 force{t.f_x[lane], t.f_y[lane]};
+    out.force[i] += force;
+    out.force[j] -= force;
+    out.torque[i] += radius[i] * t.twist[lane];
+    out.torque[j] += radius[j] * t.twist[lane];
+  }
+}
+
+template <class R>
+void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& system, double dt, const Candidates& c,
+                  const Touching& t, const Evaluation<2>& out, ChunkSum& sum) {
+  for (int row = c.begin; row < c.begin + c.count; ++row) {
+    const double u = system.pairs.history[row];
+    // A spring that is still wound up when the contact opens is lost to friction.
+    if (!out.pair[row].active && u != 0 && dt > 0) sum.energy.sliding_power += 0.5 * law.contact.k_t * u * u / dt;
+  }
+  for (int a = 0; a < t.count; ++a) {
+    const int lane = t.lane[a], row = c.begin + t.candidate[lane];
+    const bool linked = lane >= t.links_begin();
+    const PairStiffness& s = linked ? law.link : law.contact;
+    const double u = t.elongation[lane], u_new = t.new_elongation[lane], v_t = t.v_t[lane];
+    sum.energy.elastic += elastic_energy(repulsion, law, t.distance[lane], t.d0[lane], linked);
+    sum.energy.tangential += 0.5 * s.k_t * u_new * u_new;
+    sum.energy.viscous_power += s.eta * t.v_n[lane] * t.v_n[lane];
+    const bool slides = out.trial_state[row] == ContactState::slip;
+    const double viscous = slides && law.slip != Slip::clamp ? 0 : s.eta_t * v_t * v_t;
+    sum.energy.tangential_viscous_power += viscous;
+    if (slides && dt > 0)
+      sum.energy.sliding_power += t.tangential[lane] * v_t - viscous - 0.5 * s.k_t * (u_new * u_new - u * u) / dt;
+    sum.virial.add_outer(-t.distance[lane], force_on_first(out.pair[row]), out.pair[row].normal);
+  }
 }
 
 }  // namespace
@@ -40,65 +193,36 @@ void DiscContacts::evaluate(const System<2>& system, double dt, Detail detail, E
 template <class R>
 void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
-  const State<2>& state = system.state;
-  const Box<2>& box = system.box;
+  const Box<2>::Images images = system.box.images();
   const DiscLaw law = law_;
-  const bool serial = thread_count() == 1 || chunk_count(state.size()) < 2 * thread_count();
+  const SlipRule slip(law.slip, law.contact.k_t);
+  const double share = law.lever_arm == LeverArm::distance ? 1 : 0;
+  const auto contact = [=](const PairMotion& m, double u) { return respond_contact(repulsion, law, slip, m, u, dt); };
+  const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u, dt); };
+  const bool serial = thread_count() == 1 || chunk_count(system.state.size()) < 2 * thread_count();
 
-  const auto one_row = [&](std::int32_t i, int row, ChunkSum& sum) {
-    const std::int32_t j = pairs.second[row];
-    PairForce<2>& p = out.pair[row];
-    const double u = pairs.history[row];
-    const bool linked = pairs.state[row] == ContactState::permanent;
-    const double r_i = state.radius[i], r_j = state.radius[j], d0 = r_i + r_j;
-    const auto s = box.separation(state.position[i], state.position[j]);
-    const double d2 = dot(s.r, s.r);
-    if (d2 >= d0 * d0 && !linked) {
-      // A spring that is still wound up when the contact opens is lost to friction.
-      if (detail == Detail::energies && u != 0 && dt > 0)
-        sum.energy.sliding_power += 0.5 * law.contact.k_t * u * u / dt;
-      p.active = false;
-      out.trial_state[row] = ContactState::open;
-      out.trial_history[row] = 0;
-      return;
-    }
-    const double d = std::sqrt(d2), inverse_d0 = 1 / d0;
-    const Vec2 n = d > 0 ? (1 / d) * s.r : arbitrary_direction(i, j), t = turned_left(n);
-    const Vec2 v = state.velocity[j] - state.velocity[i] - box.velocity_jump(s.up);
-    const double spin_speed = r_i * state.spin[i] + r_j * state.spin[j];
-    const double v_t = dot(v, t) - (law.lever_arm == LeverArm::distance ? d * inverse_d0 * spin_speed : spin_speed);
-    const PairMotion motion{d, d0, dot(v, n), v_t};
-    const DiscResponse response = linked ? respond_link(repulsion, law, motion, u, dt)
-                                         : respond_contact(repulsion, law, motion, u, dt);
-    p = {n, d, response.elastic, response.viscous, response.tangential.force, s.up, s.crosses, true};
-    out.trial_state[row] = response.tangential.state;
-    out.trial_history[row] = response.tangential.elongation;
-    if (serial) add_force(out, p, r_i * inverse_d0, r_j * inverse_d0, i, j);
-    if (detail == Detail::energies) {
-      const PairStiffness& k = linked ? law.link : law.contact;
-      const double u_new = response.tangential.elongation;
-      sum.energy.elastic += elastic_energy(repulsion, law, d, d0, linked);
-      sum.energy.tangential += 0.5 * k.k_t * u_new * u_new;
-      sum.energy.viscous_power += k.eta * motion.v_n * motion.v_n;
-      const bool slides = out.trial_state[row] == ContactState::slip;
-      const double viscous = slides && law.slip != Slip::clamp ? 0 : k.eta_t * v_t * v_t;
-      sum.energy.tangential_viscous_power += viscous;
-      if (slides && dt > 0)
-        sum.energy.sliding_power += response.tangential.force * v_t - viscous - 0.5 * k.k_t * (u_new * u_new - u * u) / dt;
-      sum.virial.add_outer(-d, force_on_first(p), n);
-    }
-  };
-
-  const ChunkSum total = sum_chunks<ChunkSum>(state.size(), [&](std::int64_t begin, std::int64_t end) {
+  const ChunkSum total = sum_chunks<ChunkSum>(system.state.size(), [&](std::int64_t begin, std::int64_t end) {
     ChunkSum sum;
-    for (std::int32_t i = static_cast<std::int32_t>(begin); i < end; ++i)
-      for (int row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) one_row(i, row, sum);
+    for (int row = pairs.begin[begin]; row < pairs.begin[end]; row += batch_size) {
+      Candidates c;
+      Touching t;
+      c.begin = row;
+      c.count = std::min(batch_size, pairs.begin[end] - row);
+      separate(system, images, c);
+      select_touching(pairs, c, t);
+      gather_motion(system, c, t);
+      apply_law(0, t.contacts, share, t, contact);
+      apply_law(t.links_begin(), batch_size, share, t, link);
+      write_rows(c, t, out);
+      if (serial) add_forces(system, c, t, out);
+      if (detail == Detail::energies) add_energies(repulsion, law, system, dt, c, t, out, sum);
+    }
     return sum;
   });
   out.energy += total.energy;
   out.virial += total.virial;
   if (serial) return;
-  index_back_rows(pairs, state.size());
+  index_back_rows(pairs, system.state.size());
   gather(system, out);
 }
 
@@ -121,20 +245,17 @@ void DiscContacts::gather(const System<2>& system, Evaluation<2>& out) const {
   const std::vector<double>& radius = system.state.radius;
   for_chunks(system.state.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (std::int32_t i = static_cast<std::int32_t>(begin); i < end; ++i) {
-      const auto couple = [&](const PairForce<2>& p, std::int32_t a, std::int32_t b) {
-        return p.tangential * p.distance * (radius[i] * (1 / (radius[a] + radius[b])));
-      };
       for (std::int32_t k = back_begin_[i]; k < back_begin_[i + 1]; ++k) {
         const PairForce<2>& p = out.pair[back_row_[k]];
         if (!p.active) continue;
         out.force[i] -= force_on_first(p);
-        out.torque[i] += couple(p, pairs.first[back_row_[k]], i);
+        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[back_row_[k]]] + radius[i]);
       }
       for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) {
         const PairForce<2>& p = out.pair[row];
         if (!p.active) continue;
         out.force[i] += force_on_first(p);
-        out.torque[i] += couple(p, i, pairs.second[row]);
+        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[i] + radius[pairs.second[row]]);
       }
     }
   });

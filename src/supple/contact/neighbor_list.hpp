@@ -6,6 +6,9 @@
 
 namespace supple {
 
+/// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
+inline constexpr double default_skin = 0.4;
+
 /// Keeps System::pairs complete: every pair closer than the sum of its radii, and every permanent link however
 /// stretched, has a row; pairs within the skin have one too. Rows that leave lose their history; permanent ones stay.
 /// Stale when a site has moved, relative to the affine flow since the last build, so far that a pair without a row
@@ -13,8 +16,7 @@ namespace supple {
 template <int Dim>
 class NeighborList {
  public:
-  /// Skin as a share of the mean radius; larger: fewer builds, more rows.
-  explicit NeighborList(double relative_skin = 0.4) : relative_skin_(relative_skin) {}
+  explicit NeighborList(double relative_skin = default_skin) : relative_skin_(relative_skin) {}
 
   /// Rebuilds if stale. Returns whether it did.
   bool update(System<Dim>& system);

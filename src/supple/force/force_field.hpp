@@ -13,7 +13,7 @@ namespace supple {
 /// the rows of System::pairs; only commit() lets contacts remember.
 class ForceField {
  public:
-  explicit ForceField(DiscContacts contacts, double relative_skin = 0.4)
+  explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
       : contacts_(std::move(contacts)), neighbors_(relative_skin) {}
 
   void evaluate(System<2>& system, Detail detail, Evaluation<2>& out) {

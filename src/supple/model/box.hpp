@@ -25,21 +25,35 @@ struct Box {
     bool crosses;  ///< whether any image but the one in this cell was taken
   };
 
+  /// The rule of nearest images at this instant, divisions done: for loops over many pairs.
+  struct Images {
+    Vec<Dim> length, per_length;  ///< per_length: 1/length, 0 where the cell is not periodic
+    double shift;                 ///< of the image one cell up, along the flow
+    /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Free of branches.
+    Vec<Dim> reduce(Vec<Dim>& r) const {
+      Vec<Dim> cells;
+      cells[gradient] = std::floor(r[gradient] * per_length[gradient] + 0.5);
+      r[gradient] -= cells[gradient] * length[gradient];
+      r[flow] -= cells[gradient] * shift;
+      for (int d = 0; d < Dim; ++d) {
+        if (d == gradient) continue;
+        cells[d] = std::floor(r[d] * per_length[d] + 0.5);
+        r[d] -= cells[d] * length[d];
+      }
+      return cells;
+    }
+  };
+  Images images() const {
+    Images rule{length, {}, strain * length[gradient]};
+    for (int d = 0; d < Dim; ++d) rule.per_length[d] = periodic[d] ? 1 / length[d] : 0;
+    return rule;
+  }
+
   Separation separation(const Vec<Dim>& a, const Vec<Dim>& b) const {
     Separation s{b - a, 0, false};
-    if (periodic[gradient]) {
-      const double cells = std::floor(s.r[gradient] / length[gradient] + 0.5);
-      s.r[gradient] -= cells * length[gradient];
-      s.r[flow] -= cells * (strain * length[gradient]);
-      s.up = static_cast<int>(cells);
-      s.crosses = s.up != 0;
-    }
-    for (int d = 0; d < Dim; ++d) {
-      if (d == gradient || !periodic[d]) continue;
-      const double cells = std::floor(s.r[d] / length[d] + 0.5);
-      s.r[d] -= cells * length[d];
-      s.crosses = s.crosses || cells != 0;
-    }
+    const Vec<Dim> cells = images().reduce(s.r);
+    s.up = static_cast<int>(cells[gradient]);
+    for (int d = 0; d < Dim; ++d) s.crosses = s.crosses || cells[d] != 0;
     return s;
   }
 
@@ -62,19 +76,15 @@ struct Box {
 
   /// Brings x into the cell and changes v by the velocity of the boundary that it crossed.
   void wrap(Vec<Dim>& x, Vec<Dim>& v) const {
-    if (periodic[gradient]) {
+    const auto outside = [&](int d) { return periodic[d] && !(0 <= x[d] && x[d] < length[d]); };
+    if (outside(gradient)) {
       const double cells = std::floor(x[gradient] / length[gradient]);
-      if (cells != 0) {
-        x[gradient] -= cells * length[gradient];
-        x[flow] -= cells * (strain * length[gradient]);
-        v[flow] -= cells * (strain_rate * length[gradient]);
-      }
+      x[gradient] -= cells * length[gradient];
+      x[flow] -= cells * (strain * length[gradient]);
+      v[flow] -= cells * (strain_rate * length[gradient]);
     }
     for (int d = 0; d < Dim; ++d)
-      if (d != gradient && periodic[d]) {
-        const double cells = std::floor(x[d] / length[d]);
-        if (cells != 0) x[d] -= cells * length[d];
-      }
+      if (d != gradient && outside(d)) x[d] -= std::floor(x[d] / length[d]) * length[d];
   }
 
   Vec<Dim> centre() const { return 0.5 * length; }

@@ -22,10 +22,15 @@ struct PairForce {
   bool active = false;      ///< touching or linked
 };
 
-/// Force on `first` of an active row, and its opposite on `second`: repulsion along -n, tangential along t.
-inline Vec2 force_on_first(const PairForce<2>& row) {
-  return -(row.elastic + row.viscous) * row.normal + row.tangential * turned_left(row.normal);
+/// Force on `first` of a pair, and its opposite on `second`: repulsion along -n, tangential along t.
+inline Vec2 force_on_first(double repulsion, double tangential, const Vec2& normal) {
+  return -repulsion * normal + tangential * turned_left(normal);
 }
+inline Vec2 force_on_first(const PairForce<2>& row) {
+  return force_on_first(row.elastic + row.viscous, row.tangential, row.normal);
+}
+/// Torque per radius on both discs of a pair, F_t d / (r_i + r_j) (S1-3).
+inline double torque_per_radius(double tangential, double distance, double d0) { return tangential * distance / d0; }
 
 /// A force from outside on one site.
 template <int Dim>

@@ -34,13 +34,14 @@ struct DiscResponse {
   TangentialResponse tangential;
 };
 
-/// A touching pair (d < d0): repulsion, viscosity, Coulomb friction with limit mu F_el.
+/// A touching pair (d < d0): repulsion, viscosity, Coulomb friction with limit mu F_el. `slip`: of law.slip.
 template <class Repulsion>
-DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const SlipRule& slip, const PairMotion& m,
+                             double u, double dt) {
   const PairStiffness& s = law.contact;
   const double elastic = repulsion.force(m.d, m.d0, s.k);
   return {elastic, -s.eta * m.v_n,
-          coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::abs(law.friction * elastic), law.slip)};
+          coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::abs(law.friction * elastic), slip)};
 }
 
 /// A permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb limit.

@@ -10,6 +10,14 @@ namespace supple {
 /// integrated (Otsuki & Hayakawa); or set to zero (published package).
 enum class Slip { clamp, freeze, reset };
 
+/// The same as two numbers, once for all pairs, so that loops over contacts need no branch:
+/// u = keeps u + follows (F_t - eta_t v_t).
+struct SlipRule {
+  double keeps, follows;
+  SlipRule(Slip slip, double k_t)
+      : keeps(slip == Slip::freeze ? 1 : 0), follows(slip == Slip::clamp && k_t > 0 ? 1 / k_t : 0) {}
+};
+
 /// Force along t on the first site [force], and what the contact remembers: elongation u [length] and state.
 struct TangentialResponse {
   double force, elongation;
@@ -23,14 +31,13 @@ inline TangentialResponse bonded(double u, double v_t, double dt, double k_t, do
 }
 
 /// The same up to |F_t| = limit = mu F_el (stick), and the limit with the sign of F_t beyond it (slip).
-inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, double eta_t, double limit, Slip slip) {
+inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, double eta_t, double limit,
+                                  const SlipRule& slip) {
   const TangentialResponse trial = bonded(u, v_t, dt, k_t, eta_t);
-  if (std::abs(trial.force) <= limit) return {trial.force, trial.elongation, ContactState::stick};
+  const bool sticks = std::abs(trial.force) <= limit;
   const double force = std::copysign(limit, trial.force);
-  const double held = slip == Slip::freeze ? u
-                    : slip == Slip::clamp && k_t > 0 ? (force - eta_t * v_t) / k_t
-                                                     : 0;
-  return {force, held, ContactState::slip};
+  const double held = slip.keeps * u + slip.follows * (force - eta_t * v_t);
+  return {sticks ? trial.force : force, sticks ? trial.elongation : held, sticks ? ContactState::stick : ContactState::slip};
 }
 
 }  // namespace supple
