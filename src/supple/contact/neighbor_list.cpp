@@ -13,7 +13,7 @@ namespace {
 template <int Dim>
 class CellGrid {
  public:
-  CellGrid(const System<Dim>& system, double reach) : box_(system.box), reach_(reach) {
+  CellGrid(const System<Dim>& system, double skin, double reach) : box_(system.box), reach_(reach), skin_(skin) {
     long cells = 1;
     for (int d = 0; d < Dim; ++d) {
       // A row is searched over up to four cells along the flow, three across; fewer would meet a cell twice.
@@ -22,119 +22,156 @@ class CellGrid {
       if (count_[d] < least) single_ = true;
     }
     if (single_) for (int& n : count_) n = 1;
-    for (int n : count_) cells *= n;
-    sort(system.state.position, cells);
+    for (int d = 0; d < Dim; ++d) {
+      per_cell_[d] = count_[d] / box_.length[d];
+      cells *= count_[d];
+    }
+    sort(system.state, cells);
   }
 
-  /// visit(j) for every site that may be within reach of x, each once.
-  template <class Visit>
-  void near(const Vec<Dim>& x, Visit&& visit) const {
+  /// Appends the sites j > i that are closer to site i than the sum of their radii and the skin.
+  void append_near(const State<Dim>& state, std::int32_t i, std::vector<std::int32_t>& near) const {
+    const Vec<Dim>& x = state.position[i];
+    const double reach = state.radius[i] + skin_;
     if (single_) {
-      for (std::int32_t j : sites_) visit(j);
+      const auto images = box_.images();
+      for (const Entry& e : entries_) {
+        Vec<Dim> r = e.position - x;
+        images.reduce(r);
+        append_if_near(r, reach, i, e, near);
+      }
       return;
     }
     int offset[Dim];
-    for_rows(x, 1, offset, visit);
+    for_rows(1, offset, [&] { search_row(x, reach, i, offset, near); });
   }
 
  private:
+  struct Entry {
+    Vec<Dim> position;
+    double radius;
+    std::int32_t site;
+  };
+
+  static void append_if_near(const Vec<Dim>& r, double reach, std::int32_t i, const Entry& e,
+                             std::vector<std::int32_t>& near) {
+    const double limit = reach + e.radius;
+    if (dot(r, r) < limit * limit && e.site > i) near.push_back(e.site);
+  }
+
   int cell_of(const Vec<Dim>& x, int d) const {
-    const double c = std::floor(x[d] / box_.length[d] * count_[d]);
+    const double c = std::floor(x[d] * per_cell_[d]);
     return c > 0 ? static_cast<int>(std::min(c, count_[d] - 1.0)) : 0;  // also where c is not a number
   }
-  void sort(const std::vector<Vec<Dim>>& position, long cells) {
-    std::vector<std::int32_t> cell(position.size());
+
+  void sort(const State<Dim>& state, long cells) {
+    const auto n = state.position.size();
+    std::vector<std::int32_t> cell(n);
     begin_.assign(static_cast<std::size_t>(cells) + 1, 0);
-    for (std::size_t i = 0; i < position.size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       long index = 0;
-      for (int d = Dim - 1; d >= 0; --d) index = index * count_[d] + cell_of(position[i], d);
+      for (int d = Dim - 1; d >= 0; --d) index = index * count_[d] + cell_of(state.position[i], d);
       cell[i] = static_cast<std::int32_t>(index);
       ++begin_[static_cast<std::size_t>(index) + 1];
     }
     for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-    sites_.resize(position.size());
+    entries_.resize(n);
     std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t i = 0; i < position.size(); ++i) sites_[next[cell[i]]++] = static_cast<std::int32_t>(i);
+    for (std::size_t i = 0; i < n; ++i)
+      entries_[next[cell[i]]++] = {state.position[i], state.radius[i], static_cast<std::int32_t>(i)};
   }
-  template <class Visit>
-  void for_rows(const Vec<Dim>& x, int d, int (&offset)[Dim], Visit&& visit) const {
-    if (d == Dim) return visit_row(x, offset, visit);
+
+  /// body() for every row of cells beside the present one: offsets -1, 0, 1 in each direction but the flow.
+  template <class Body>
+  void for_rows(int d, int (&offset)[Dim], const Body& body) const {
+    if (d == Dim) return body();
     for (int o = -1; o <= 1; ++o) {
       offset[d] = o;
-      for_rows(x, d + 1, offset, visit);
+      for_rows(d + 1, offset, body);
     }
   }
-  template <class Visit>
-  void visit_row(const Vec<Dim>& x, const int (&offset)[Dim], Visit&& visit) const {
+
+  void search_row(const Vec<Dim>& x, double reach, std::int32_t i, const int (&offset)[Dim],
+                  std::vector<std::int32_t>& near) const {
     long row = 0;
-    double shift = 0;
+    Vec<Dim> at = x;  // as seen from the image of the row in this cell of the box
     for (int d = Dim - 1; d >= 1; --d) {
       int c = cell_of(x, d) + offset[d];
       if (c < 0 || c >= count_[d]) {
         if (!box_.periodic[d]) return;
         const int up = c < 0 ? -1 : 1;
         c -= up * count_[d];
-        if (d == gradient) shift = -up * box_.strain * box_.length[gradient];
+        at[d] -= up * box_.length[d];
+        if (d == gradient) at[flow] -= up * box_.strain * box_.length[gradient];
       }
       row = row * count_[d] + c;
     }
-    const double cell = box_.length[flow] / count_[flow], at = x[flow] + shift;
-    if (!std::isfinite(at)) return;
-    long low = static_cast<long>(std::floor((at - reach_) / cell));
-    long high = static_cast<long>(std::floor((at + reach_) / cell));
+    if (!std::isfinite(at[flow])) return;
+    const int n = count_[flow];
+    long low = static_cast<long>(std::floor((at[flow] - reach_) * per_cell_[flow]));
+    long high = static_cast<long>(std::floor((at[flow] + reach_) * per_cell_[flow]));
     if (!box_.periodic[flow]) {
-      low = std::clamp(low, 0L, count_[flow] - 1L);
-      high = std::clamp(high, 0L, count_[flow] - 1L);
-    } else if (high - low >= count_[flow]) {
-      high = low + count_[flow] - 1;
+      low = std::clamp(low, 0L, n - 1L);
+      high = std::clamp(high, 0L, n - 1L);
+    } else if (high - low >= n) {
+      high = low + n - 1;
     }
-    for (long c = low; c <= high; ++c) {
-      const long wrapped = ((c % count_[flow]) + count_[flow]) % count_[flow];
-      const long index = row * count_[flow] + wrapped;
-      for (std::int32_t k = begin_[index]; k < begin_[index + 1]; ++k) visit(sites_[k]);
+    // Cells of a row lie behind one another: search them in one go up to each end of the box.
+    while (low <= high) {
+      const long image = low >= 0 ? low / n : -((n - 1 - low) / n), last = std::min(high, (image + 1) * n - 1);
+      const long first_cell = row * n + low - image * n, last_cell = row * n + last - image * n;
+      Vec<Dim> from = at;
+      from[flow] -= static_cast<double>(image) * box_.length[flow];
+      for (std::int32_t k = begin_[first_cell]; k < begin_[last_cell + 1]; ++k)
+        append_if_near(entries_[k].position - from, reach, i, entries_[k], near);
+      low = last + 1;
     }
   }
 
   const Box<Dim>& box_;
-  double reach_;
+  double reach_, skin_;
   bool single_ = false;
   int count_[Dim];
-  std::vector<std::int32_t> begin_, sites_;
+  double per_cell_[Dim];
+  std::vector<std::int32_t> begin_;
+  std::vector<Entry> entries_;  ///< cell after cell
 };
 
-/// Rows of one site, new neighbours and old links merged, with what old rows remember.
-void append_rows(std::int32_t i, std::vector<std::int32_t>& near, const PairTable& old, PairTable& rows) {
-  const bool known = i + 1 < static_cast<int>(old.begin.size());
-  int at = known ? old.begin[i] : 0;
-  const int end = known ? old.begin[i + 1] : 0;
-  for (int r = at; r < end; ++r)
-    if (old.state[r] == ContactState::permanent) near.push_back(old.second[r]);
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  for (std::int32_t j : near) {
-    while (at < end && old.second[at] < j) ++at;
-    const bool found = at < end && old.second[at] == j;
-    rows.first.push_back(i);
-    rows.second.push_back(j);
-    rows.state.push_back(found ? old.state[at] : ContactState::open);
-    for (int w = 0; w < old.width; ++w)
-      rows.history.push_back(found ? old.history[static_cast<std::size_t>(at) * old.width + w] : 0.0);
+/// Rows of the table before the build that belong to one site.
+struct OldRows {
+  int at, end;
+  OldRows(const PairTable& old, std::int32_t i) {
+    const bool known = i + 1 < static_cast<int>(old.begin.size());
+    at = known ? old.begin[i] : 0;
+    end = known ? old.begin[i + 1] : 0;
   }
+};
+
+/// Partners of the rows that site i will have, ascending: what is near, and links however long.
+template <int Dim>
+void append_partners(const CellGrid<Dim>& grid, const State<Dim>& state, std::int32_t i, const PairTable& old,
+                     std::vector<std::int32_t>& partners) {
+  const auto first = static_cast<std::ptrdiff_t>(partners.size());
+  grid.append_near(state, i, partners);
+  const OldRows rows(old, i);
+  for (int r = rows.at; r < rows.end; ++r)
+    if (old.state[r] == ContactState::permanent) partners.push_back(old.second[r]);
+  std::sort(partners.begin() + first, partners.end());
+  partners.erase(std::unique(partners.begin() + first, partners.end()), partners.end());
 }
 
-void concatenate(std::vector<PairTable>& chunks, int sites, PairTable& pairs) {
-  const int width = pairs.width;
-  const auto version = pairs.version;
-  pairs.clear();
-  pairs.width = width;
-  pairs.version = version + 1;
-  for (const PairTable& c : chunks) {
-    pairs.first.insert(pairs.first.end(), c.first.begin(), c.first.end());
-    pairs.second.insert(pairs.second.end(), c.second.begin(), c.second.end());
-    pairs.state.insert(pairs.state.end(), c.state.begin(), c.state.end());
-    pairs.history.insert(pairs.history.end(), c.history.begin(), c.history.end());
+/// Fills state and history of the rows of site i with what the old ones remember.
+void carry_over(const PairTable& old, std::int32_t i, PairTable& pairs) {
+  OldRows rows(old, i);
+  for (int row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) {
+    while (rows.at < rows.end && old.second[rows.at] < pairs.second[row]) ++rows.at;
+    const bool found = rows.at < rows.end && old.second[rows.at] == pairs.second[row];
+    pairs.first[row] = i;
+    pairs.state[row] = found ? old.state[rows.at] : ContactState::open;
+    for (int w = 0; w < old.width; ++w)
+      pairs.history[static_cast<std::size_t>(row) * old.width + w] =
+          found ? old.history[static_cast<std::size_t>(rows.at) * old.width + w] : 0.0;
   }
-  index_rows(pairs, sites);
 }
 
 }  // namespace
@@ -153,15 +190,17 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const double strain_change = box.strain - strain_at_build_;
   const double slack = skin_ - std::abs(strain_change) * reach_;
   if (slack <= 0) return true;
-  const double limit = 0.25 * slack * slack;
+  const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
+  const auto images = box.images();
+  std::int64_t within = 0;
   for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
-    Vec<Dim> affine = position_at_build_[i];
-    affine[flow] += strain_change * (affine[gradient] - 0.5 * box.length[gradient]);
-    const Vec<Dim> u = box.displacement(affine, system.state.position[i]);
-    // Written so that a position that is not a number is stale, too.
-    if (!(dot(u, u) <= limit)) return true;
+    Vec<Dim> u = system.state.position[i] - position_at_build_[i];
+    u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
+    images.reduce(u);
+    within += dot(u, u) <= limit;
   }
-  return false;
+  // A position that is not a number is not within, either.
+  return within != static_cast<std::int64_t>(position_at_build_.size());
 }
 
 template <int Dim>
@@ -176,22 +215,30 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   skin_ = relative_skin_ * sum / std::max(n, 1);
   reach_ = 2 * largest + skin_;
 
-  const CellGrid<Dim> grid(system, reach_);
-  std::vector<PairTable> chunks(static_cast<std::size_t>(chunk_count(n)));
+  PairTable& pairs = system.pairs;
+  std::swap(pairs, old_);
+  pairs.width = old_.width;
+  pairs.version = old_.version + 1;
+  pairs.begin.assign(static_cast<std::size_t>(n) + 1, 0);
+
+  const CellGrid<Dim> grid(system, skin_, reach_);
+  partners_.resize(static_cast<std::size_t>(chunk_count(n)));
   for_chunks(n, [&](std::int64_t c, std::int64_t begin, std::int64_t end) {
-    std::vector<std::int32_t> near;
-    for (std::int32_t i = static_cast<std::int32_t>(begin); i < end; ++i) {
-      near.clear();
-      grid.near(state.position[i], [&](std::int32_t j) {
-        if (j <= i) return;
-        const Vec<Dim> r = system.box.displacement(state.position[i], state.position[j]);
-        const double reach = state.radius[i] + state.radius[j] + skin_;
-        if (dot(r, r) < reach * reach) near.push_back(j);
-      });
-      append_rows(i, near, system.pairs, chunks[static_cast<std::size_t>(c)]);
+    auto& partners = partners_[static_cast<std::size_t>(c)];
+    partners.clear();
+    for (auto i = static_cast<std::int32_t>(begin); i < end; ++i) {
+      const auto before = partners.size();
+      append_partners(grid, state, i, old_, partners);
+      pairs.begin[i + 1] = static_cast<std::int32_t>(partners.size() - before);
     }
   });
-  concatenate(chunks, n, system.pairs);
+  for (int i = 0; i < n; ++i) pairs.begin[i + 1] += pairs.begin[i];
+  pairs.resize(pairs.begin[n]);
+  for_chunks(n, [&](std::int64_t c, std::int64_t begin, std::int64_t end) {
+    const auto& partners = partners_[static_cast<std::size_t>(c)];
+    std::copy(partners.begin(), partners.end(), pairs.second.begin() + pairs.begin[begin]);
+    for (auto i = static_cast<std::int32_t>(begin); i < end; ++i) carry_over(old_, i, pairs);
+  });
 
   position_at_build_ = state.position;
   strain_at_build_ = system.box.strain;

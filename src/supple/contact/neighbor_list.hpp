@@ -35,6 +35,8 @@ class NeighborList {
   double strain_at_build_ = 0;
   Vec<Dim> length_at_build_{};
   std::vector<Vec<Dim>> position_at_build_;
+  PairTable old_;                                    ///< kept for its memory
+  std::vector<std::vector<std::int32_t>> partners_;  ///< of the sites of each chunk
 };
 
 }  // namespace supple

@@ -20,6 +20,12 @@ struct PairTable {
 
   int size() const { return static_cast<int>(first.size()); }
   void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); }
+  void resize(int rows) {
+    first.resize(rows);
+    second.resize(rows);
+    state.resize(rows);
+    history.resize(static_cast<std::size_t>(rows) * width);
+  }
   /// Row of the pair (i, j), i < j, or -1.
   int find(std::int32_t i, std::int32_t j) const {
     if (i + 1 >= static_cast<int>(begin.size())) return -1;

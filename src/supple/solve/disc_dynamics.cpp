@@ -68,6 +68,7 @@ void set_strain_rate(System<2>& system, double rate) {
 void capture_at_boundaries(System<2>& system, Plates plates) {
   State<2>& s = system.state;
   const Box<2>& box = system.box;
+  if (plates != Plates::capture && box.periodic[0] && box.periodic[1]) return;
   for (int i = 0; i < s.size(); ++i) {
     if (s.mobility[i] != Mobility::free) continue;
     const double y = s.position[i][gradient], r = s.radius[i];

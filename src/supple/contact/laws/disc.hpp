@@ -44,6 +44,11 @@ DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, con
           coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::abs(law.friction * elastic), slip)};
 }
 
+template <class Repulsion>
+DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+  return respond_contact(repulsion, law, SlipRule(law.slip, law.contact.k_t), m, u, dt);
+}
+
 /// A permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb limit.
 template <class Repulsion>
 DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
