@@ -92,9 +92,13 @@ double contacts_per_disc(const System<2>& system) {
 }
 
 double rms_speed(const System<2>& system) {
-  double sum = 0;
-  for (const Vec2& v : system.state.velocity) sum += dot(v, v);
-  return std::sqrt(sum / (2.0 * system.state.size()));
+  const State<2>& s = system.state;
+  double twice_energy = 0, mass = 0;
+  for (int i = 0; i < s.size(); ++i) {
+    twice_energy += s.mass[i] * dot(s.velocity[i], s.velocity[i]);
+    mass += s.mass[i];
+  }
+  return std::sqrt(twice_energy / (2 * mass));
 }
 
 }  // namespace supple::bench

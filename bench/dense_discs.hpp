@@ -22,6 +22,7 @@ System<2> dense_discs(const DenseSpec& spec);
 
 /// Pairs that touch, per disc and counted from both: the coordination number.
 double contacts_per_disc(const System<2>& system);
+/// Root mean square of a velocity component, weighted by mass.
 double rms_speed(const System<2>& system);
 
 }  // namespace supple::bench
