@@ -20,10 +20,13 @@ std::int64_t step_count(const Case& c, const InitialState* initial) {
   throw input_error("[time] steps is missing", "dynamics needs the number of steps", "set time.steps");
 }
 
-/// Factor per step: the state's own where the user gave none.
-double damping_per_step(const Case& c, const InitialState* initial, double of_case) {
+/// Factor per step: the state's own per time, where the user gave none.
+double damping_per_step(const Case& c, const InitialState* initial, double time_step, double of_case) {
   if (initial && !c.is_given("shear.cool_factor"))
-    if (const auto at = initial->protocol.find("cool_factor"); at != initial->protocol.end()) return at->second;
+    if (const auto at = initial->protocol.find("cool_factor"); at != initial->protocol.end()) {
+      const auto dt = initial->protocol.find("dt");
+      return dt == initial->protocol.end() ? at->second : std::pow(at->second, time_step / (dt->second * initial->units.time));
+    }
   return of_case;
 }
 
@@ -43,7 +46,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
-  s.damping = damping_per_step(c, initial, s.damping);
+  s.damping = damping_per_step(c, initial, s.time_step * s.units.time, s.damping);
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));
@@ -53,7 +56,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   for (std::int64_t i = 0; i < steps; ++i) {
     const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
-    table.append(s.system, evaluation);
+    table.append(s.system, evaluation, rates.now);
     if (i % every == 0) recorder.frame(make_frame(s.system, evaluation));
     s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);

@@ -8,6 +8,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/expression.hpp"
+#include "supple/experiment/material.hpp"
 #include "supple/model/discs.hpp"
 
 namespace supple {
@@ -15,11 +16,6 @@ namespace supple {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Number from the state file unless the user gave the key.
-double from_state(const Case& c, const char* key, std::optional<double> stored, double unit, double of_case) {
-  return stored && !c.is_given(key) ? *stored * unit : of_case;
-}
 
 void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k) {
   std::vector<double> mass;
@@ -35,39 +31,6 @@ void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k
   for (double m : mass) sum += m;
   k.mean_mass = sum / static_cast<double>(mass.size());
   k.smallest_mass = *std::min_element(mass.begin(), mass.end());
-}
-
-/// Stiffness and viscosity of contacts: re-enforced, while links keep the base values. SI; every constant is set.
-MaterialConstants resolve_material(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
-  const Material& m = c.material;
-  const MaterialConstants stored = initial ? initial->material : MaterialConstants{};
-  const Units units = initial ? initial->units : si_units();
-  const double central = m.interface_reenforcement_central, tangential = m.interface_reenforcement_tangential;
-  const double viscosity = m.relative_viscosity * std::sqrt(k.mean_mass * k.k);
-  const double transversal = m.relative_transversal_link_strength;
-  const auto take = [&](const char* key, std::optional<double> of_state, double unit, double of_case) {
-    return from_state(c, key, of_state, unit, of_case);
-  };
-
-  MaterialConstants out;
-  const char* keep_key = "material.keep_viscosity_coefficients_constant";
-  out.keep_viscosity_coefficients_constant = c.is_given(keep_key)
-      ? m.keep_viscosity_coefficients_constant
-      : stored.keep_viscosity_coefficients_constant.value_or(m.keep_viscosity_coefficients_constant);
-  const bool keep = *out.keep_viscosity_coefficients_constant;
-  out.k = take("material.young_modulus", stored.k, units.stiffness(), k.k * central);
-  out.k_t = take("material.young_modulus", stored.k_t, units.stiffness(), k.k * transversal * tangential);
-  out.nu = take("material.relative_viscosity", stored.nu, units.viscosity(), viscosity * (keep ? 1 : central));
-  out.nu_t = take("material.relative_viscosity", stored.nu_t, units.viscosity(),
-                  viscosity * transversal * (keep ? 1 : tangential));
-  out.mu = take("material.friction", stored.mu, 1, m.friction);
-  out.central_repulsion_coefficient = take("material.central_repulsion_coefficient",
-                                           stored.central_repulsion_coefficient, 1, m.central_repulsion_coefficient);
-  out.permanent_ratio_central = take("material.interface_reenforcement_central", stored.permanent_ratio_central, 1,
-                                     1 / central);
-  out.permanent_ratio_tangential = take("material.interface_reenforcement_tangential",
-                                        stored.permanent_ratio_tangential, 1, 1 / tangential);
-  return out;
 }
 
 DiscLaw make_law(const Material& m, const MaterialConstants& material) {
@@ -87,25 +50,35 @@ DiscLaw make_law(const Material& m, const MaterialConstants& material) {
   return law;
 }
 
-/// -dF/dd over k of the repulsion at 50 % overlap, by a central difference; at least 1.
-double stiffening(const Repulsion& repulsion, double k) {
-  const double d = 0.5, h = 1e-4;
-  const double slope = std::visit([&](const auto& law) {
-    return (law.force(d - h, 1, k) - law.force(d + h, 1, k)) / (2 * h * k); }, repulsion);
-  return std::max(1.0, slope);
+/// Largest -dF/dd over k up to 50 % overlap, and down to the core of a plateau law; at least 1.
+double stiffening(const Repulsion& repulsion) {
+  const double h = 1e-4, least = std::holds_alternative<Plateau>(repulsion) ? 0.2 : 0.5;
+  double most = 1;
+  for (double d = least; d <= 1 - h; d += 0.005)
+    most = std::max(most, std::visit([&](const auto& law) {
+      return (law.force(d - h, 1, 1) - law.force(d + h, 1, 1)) / (2 * h); }, repulsion));
+  return most;
+}
+
+/// The same of a stretched link, up to the stretch sqrt(1 + A^2/4) + A/2 of an affine shear by A.
+double tensile_stiffening(const Tensile& tension, double amplitude) {
+  const double h = 1e-4, d = std::sqrt(1 + 0.25 * amplitude * amplitude) + 0.5 * amplitude;
+  return std::max(1.0, (tension.force(d - h, 1, 1) - tension.force(d + h, 1, 1)) / (2 * h));
 }
 
 }  // namespace
 
-double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass) {
+double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass, double amplitude) {
   constexpr double contacts = 6;
-  const double s = stiffening(repulsion, law.contact.k);
+  const double compressed = stiffening(repulsion);
   double least = std::numeric_limits<double>::infinity();
-  for (const PairStiffness& p : {law.contact, law.link}) {
+  const auto limit = [&](const PairStiffness& p, double s) {
     const double w = std::sqrt(contacts * (s * p.k + 3 * p.k_t) / smallest_mass);
     const double z = contacts * (p.eta + 3 * p.eta_t) / (2 * smallest_mass * w);
     least = std::min(least, 2 / w * (std::sqrt(1 + z * z) - z));
-  }
+  };
+  limit(law.contact, compressed);
+  limit(law.link, std::max(compressed, tensile_stiffening(law.tension, amplitude)));
   return least;
 }
 
@@ -127,19 +100,21 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   MicrogelConstants k;
   set_masses(c, initial, k);
   k.k = pi / 8 * c.material.young_modulus;
-  k.material = resolve_material(c, initial, k);
+  const MaterialConstants stored = initial ? convert(initial->material, initial->units, si_units()) : MaterialConstants{};
+  k.material = resolve_material(c, stored, k.k, k.mean_mass);
   k.law = make_law(c.material, k.material);
-  if (initial && initial->material.k && !c.is_given("material.young_modulus")) k.k = k.law.link.k;
+  k.k = k.law.link.k;
   k.tau = std::sqrt(k.mean_mass / k.k);
   k.frequency = c.shear.relative_frequency / k.tau;
   if (initial && !c.is_given("shear.relative_frequency"))
     if (const auto f = initial->protocol.find("f"); f != initial->protocol.end()) k.frequency = f->second / initial->units.time;
 
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
-  k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass);
+  k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
   k.time_step = step_share * k.stable_step * c.time.step_factor;
   if (initial && c.general.experiment == "dynamics")
-    if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) k.time_step = dt->second * initial->units.time;
+    if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) 
+      k.time_step = dt->second * initial->units.time * c.time.step_factor;
   if (c.time.time_step > 0) k.time_step = c.time.time_step;
   if (k.time_step > k.stable_step)
     throw input_error(fmt::format("time step {:.4g} s is above the stability limit {:.4g} s", k.time_step, k.stable_step),
@@ -159,6 +134,7 @@ std::vector<Derived> derived_constants(const MicrogelConstants& k) {
 }
 
 Plates plates_of(const Case& c) {
+  if (c.box.boundary == "periodic") return Plates::none;
   return c.box.plates == "repulsive" ? Plates::repulsive : c.box.plates == "none" ? Plates::none : Plates::capture;
 }
 

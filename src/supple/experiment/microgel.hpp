@@ -34,14 +34,15 @@ std::vector<Derived> derived_constants(const MicrogelConstants& k);
 Repulsion make_repulsion(const Material& material, double c);
 
 /// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by six
-/// contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened s-fold by a 50 % overlap, damping ratio z = 6 (eta + 3 eta_t)/(2 m w).
+/// contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened at most s-fold up to 50 % overlap and
+/// up to the stretch of links in an affine shear by `amplitude`, damping ratio z = 6 (eta + 3 eta_t)/(2 m w).
 /// The 3 is 1 of translation and 2 of rotation (r^2/I = 2/m). [O'Sullivan & Bray 2004, with damping]
-double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass);
+double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass, double amplitude);
 
 /// Share of the stability limit that is used: a contact period then has about 20 steps.
 inline constexpr double step_share = 0.15;
 
-/// "capture", "repulsive", "none".
+/// What the case wants at plates and walls once the discs are prepared; a periodic cell has none.
 Plates plates_of(const Case& c);
 
 /// The stepper of the documented model, with its friction switched on and no plates yet.

@@ -99,11 +99,11 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
   StressTable table(recorder, s.units, c.output.tensors);
-  FrameSchedule frames(protocol.rows, c.output.images > 0 ? c.output.images : c.output.frames);
+  FrameSchedule frames(protocol.rows, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
-    table.append(s.system, evaluation);
+    table.append(s.system, evaluation, rates.now);
     if (frames.due(i)) recorder.frame(make_frame(s.system, evaluation));
     if (recorder.stop_requested()) {
       recorder.final_state(s.system, evaluation);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/material.hpp"
 
 namespace supple {
 namespace {
@@ -28,21 +29,19 @@ void reject_what_the_package_lacks(const Case& c) {
   if (c.box.plates == "repulsive") reject("box.plates", c.box.plates, "\"capture\"");
 }
 
-ParticleShearConstants contact_constants(const Material& m, const ParticleShearScales& scales) {
-  const double central = m.interface_reenforcement_central, tangential = m.interface_reenforcement_tangential;
-  const double share = m.relative_transversal_link_strength;
-  const double viscosity = m.relative_viscosity * scales.k * scales.tau;
-  const bool keep = m.keep_viscosity_coefficients_constant;
+ParticleShearConstants contact_constants(const Case& c, const MaterialConstants& stored, const ParticleShearScales& scales) {
+  const Material& m = c.material;
+  const MaterialConstants material = resolve_material(c, stored, scales.k, scales.mass);
   ParticleShearConstants p;
-  p.k = scales.k * central;
-  p.k_t = scales.k * share * tangential;
-  p.nu = viscosity * (keep ? 1 : central);
-  p.nu_t = viscosity * share * (keep ? 1 : tangential);
-  p.mu = m.friction;
-  p.central_repulsion_coefficient = m.elastic_law == "linear" ? 0 : m.central_repulsion_coefficient;
-  p.permanent_ratio_central = 1 / central;
-  p.permanent_ratio_tangential = 1 / tangential;
-  p.keep_viscosity_coefficients_constant = keep;
+  p.k = *material.k;
+  p.k_t = *material.k_t;
+  p.nu = *material.nu;
+  p.nu_t = *material.nu_t;
+  p.mu = *material.mu;
+  p.central_repulsion_coefficient = m.elastic_law == "linear" ? 0 : *material.central_repulsion_coefficient;
+  p.permanent_ratio_central = *material.permanent_ratio_central;
+  p.permanent_ratio_tangential = *material.permanent_ratio_tangential;
+  p.keep_viscosity_coefficients_constant = *material.keep_viscosity_coefficients_constant;
   p.elastic = m.elastic_law == "plateau" ? ParticleShearElastic::plateau : ParticleShearElastic::divergent;
   p.tensile = m.tensile_law == "saturating" ? ParticleShearTensile::saturating : ParticleShearTensile::linear;
   p.plateau_begin = m.plateau_begin;
@@ -85,21 +84,6 @@ void take_from_state(const Case& c, const InitialState& initial, ParticleShearRu
   const auto take = [&](const char* key, const auto& stored, auto& value) {
     if (stored && !c.is_given(key)) value = *stored;
   };
-  const MaterialConstants& m = initial.material;
-  ParticleShearConstants& p = run.constants;
-  take("material.young_modulus", m.k, p.k);
-  take("material.young_modulus", m.k_t, p.k_t);
-  take("material.relative_viscosity", m.nu, p.nu);
-  take("material.relative_viscosity", m.nu_t, p.nu_t);
-  take("material.friction", m.mu, p.mu);
-  take("material.central_repulsion_coefficient", m.central_repulsion_coefficient,
-       p.central_repulsion_coefficient);
-  take("material.interface_reenforcement_central", m.permanent_ratio_central, p.permanent_ratio_central);
-  take("material.interface_reenforcement_tangential", m.permanent_ratio_tangential,
-       p.permanent_ratio_tangential);
-  take("material.keep_viscosity_coefficients_constant", m.keep_viscosity_coefficients_constant,
-       p.keep_viscosity_coefficients_constant);
-
   const auto number = [&](const char* name) {
     const auto found = initial.protocol.find(name);
     return found == initial.protocol.end() ? std::optional<double>{} : found->second;
@@ -139,7 +123,7 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
   run.scales =
       particleshear_scales(c.particles.discs, c.box.width / um * (c.box.height / um),
                            c.particles.packing_fraction, c.material.young_modulus, c.material.density);
-  run.constants = contact_constants(c.material, run.scales);
+  run.constants = contact_constants(c, initial ? initial->material : MaterialConstants{}, run.scales);
   run.frequency = c.shear.relative_frequency / run.scales.tau;
   run.amplitude = c.shear.amplitude;
   run.pre_periods = c.shear.pre_periods;

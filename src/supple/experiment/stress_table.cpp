@@ -51,11 +51,11 @@ StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors)
   recorder_.declare("stress", columns(tensors));
 }
 
-void StressTable::append(const System<2>& system, const Evaluation<2>& evaluation) {
+void StressTable::append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate) {
   const StressTensors s = stress_tensors(system, evaluation, units_.stress());
   const double corrected = jumps_.corrected(system, evaluation, s, units_.stress());
   const double t = system.time * units_.time;
-  row_ = {t, system.box.strain, system.box.strain_rate / units_.time, s.shear_external(), s.shear_internal(),
+  row_ = {t, system.box.strain, strain_rate / units_.time, s.shear_external(), s.shear_internal(),
           corrected, s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
           static_cast<double>(s.external_register)};
   if (tensors_)

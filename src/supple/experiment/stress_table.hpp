@@ -13,7 +13,8 @@ class StressTable {
  public:
   /// with `tensors`, every component of every tensor, else the shear stresses alone.
   StressTable(Recorder& recorder, const Units& units, bool tensors);
-  void append(const System<2>& system, const Evaluation<2>& evaluation);
+  /// One row; the rate is that of this instant (a leapfrog's box keeps that of the step before).
+  void append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate);
 
   const std::vector<double>& time() const { return time_; }
   const std::vector<double>& internal() const { return internal_; }

@@ -39,30 +39,37 @@ namespace {
 /// (E/5).
 double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
 
-/// From a state file: contacts remember; plates as the state or the case says.
+/// From a state file: contacts remember; boundary and plates as the user or else the state says.
 void adopt_state(Suspension& s, const Case& c, const InitialState& initial) {
   s.system = initial.system;
   convert(s.system, initial.units, s.units);
   set_history_width(s.system.pairs, is_package(c) ? 2 : 1);
-  const bool plates = initial.applying_shear.value_or(true);
-  s.stepper->set_plates(plates || c.is_given("box.plates") ? plates_of(c) : Plates::none);
+  if (c.is_given("box.boundary")) s.system.box.periodic = make_box(c, s.units).periodic;
+  const bool plates = initial.applying_shear.value_or(true) || c.is_given("box.plates");
+  const Plates kind = plates ? plates_of(c) : Plates::none;
+  s.stepper->set_plates(kind);
+  if (kind == Plates::capture) return capture_at_boundaries(s.system, kind);
+  for (Mobility& m : s.system.state.mobility)
+    if (m == Mobility::lower_plate || m == Mobility::upper_plate) m = Mobility::free;
 }
 
-void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double frequency,
-                        Recorder& recorder) {
+void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double relaxation_step,
+                        double frequency, Recorder& recorder) {
   recorder.declare("preparation",
                    {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
-  const double periods_to_steps = 1 / (s.time_step * frequency);
+  const double periods_to_steps = 1 / (relaxation_step * frequency);
   RelaxationSpec spec;
-  spec.time_step = s.time_step;
+  spec.time_step = relaxation_step;
   spec.tolerance = c.preparation.stress_tolerance * expected_stress(c);
   spec.most_steps =
       std::max<std::int64_t>(1000, std::llround(c.preparation.max_relaxation_periods * periods_to_steps));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
-    remove_drift(s.system);
   };
 
+  // Discs are pushed off the walls of a cell that has them, and fixed to those only when they are at rest.
+  const bool walls = !s.system.box.periodic[flow];
+  dynamics.set_plates(walls ? Plates::repulsive : Plates::none);
   const double friction = dynamics.friction();
   dynamics.set_friction(0);
   relax_until_still("relax without friction", true);
@@ -78,6 +85,7 @@ void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, do
     dynamics.invalidate();
     relax_until_still("relax crosslinked particles", false);
   }
+  if (!walls) remove_drift(s.system);
   dynamics.set_plates(plates_of(c));
   capture_at_boundaries(s.system, plates_of(c));
   relax_until_still("relax between plates", false);
@@ -99,7 +107,7 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
                       c.material.density};
   s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
-  prepare_documented(s, stepper, c, k.frequency, recorder);
+  prepare_documented(s, stepper, c, step_share * k.stable_step, k.frequency, recorder);
   s.system.time = 0;
   s.system.step = 0;
   return s;

@@ -66,17 +66,18 @@ void set_strain_rate(System<2>& system, double rate) {
 }
 
 void capture_at_boundaries(System<2>& system, Plates plates) {
+  if (plates != Plates::capture) return;
   State<2>& s = system.state;
   const Box<2>& box = system.box;
-  if (plates != Plates::capture && box.periodic[0] && box.periodic[1]) return;
+  const auto touches = [&](int i, int d) {
+    return !(s.radius[i] < s.position[i][d] && s.position[i][d] < box.length[d] - s.radius[i]);
+  };
   for (int i = 0; i < s.size(); ++i) {
     if (s.mobility[i] != Mobility::free) continue;
-    const double y = s.position[i][gradient], r = s.radius[i];
-    if (plates == Plates::capture && !(r < y && y < box.length[gradient] - r))
-      s.mobility[i] = y > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
+    if (box.periodic[gradient] && touches(i, gradient))
+      s.mobility[i] = s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
     for (int d = 0; d < 2; ++d)
-      if (!box.periodic[d] && !(r < s.position[i][d] && s.position[i][d] < box.length[d] - r))
-        s.mobility[i] = Mobility::fixed;
+      if (!box.periodic[d] && touches(i, d)) s.mobility[i] = Mobility::fixed;
   }
 }
 

@@ -37,7 +37,7 @@ class DiscDynamics : public Stepper {
 /// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -= change/2.
 void set_strain_rate(System<2>& system, double rate);
 
-/// Discs that touch a plate join it; discs that touch a wall of a cell that is not periodic are fixed.
+/// With capturing plates: free discs that touch a plate join it; where the cell is not periodic they are fixed instead.
 void capture_at_boundaries(System<2>& system, Plates plates);
 
 }  // namespace supple
