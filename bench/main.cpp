@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "bench/dense_discs.hpp"
@@ -165,11 +166,19 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-int main() {
+/// supple_bench [sizes | peers | run]...: these tables, or all.
+int main(int argc, char** argv) {
   using namespace supple::bench;
+  const std::vector<std::string> wanted(argv + 1, argv + argc);
+  const auto wants = [&](const char* table) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), table) != wanted.end();
+  };
   fmt::print("Supple {} on one core of: {}\n", SUPPLE_VERSION, processor_name());
-  print_sizes();
-  const Comparison comparison = print_comparison();
-  print_limit(comparison.supple);
-  print_default_run(comparison.lammps / lammps_published);
+  Comparison comparison;
+  if (wants("sizes")) print_sizes();
+  if (wants("peers")) {
+    comparison = print_comparison();
+    print_limit(comparison.supple);
+  }
+  if (wants("run")) print_default_run(comparison.lammps / lammps_published);
 }
