@@ -1,6 +1,6 @@
 /// A system in an HDF5 group, bit for bit.
 #pragma once
-#include "supple/force/evaluation.hpp"
+#include "supple/model/evaluation.hpp"
 #include "supple/io/hdf5.hpp"
 #include "supple/model/system.hpp"
 

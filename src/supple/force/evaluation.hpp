@@ -1,3 +1,0 @@
-/// Moved to model/evaluation.hpp.
-#pragma once
-#include "supple/model/evaluation.hpp"
