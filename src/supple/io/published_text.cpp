@@ -237,7 +237,7 @@ void export_published_text(const RunFile& run, const std::string& path, Existing
   const Facts facts(run);
   NewFile file(path, existing);
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  file.write(title(facts) + function_call(facts, folder) + model_parameters(facts) + ensemble_parameters(facts) +
+  file.write(title(facts) + function_call(facts, folder.empty() ? "." : folder) + model_parameters(facts) + ensemble_parameters(facts) +
              experiment_information(facts) + summary(run) + "Detailed stress tensor data\n");
   const auto columns = run.columns("stress");
   const bool tensors =
