@@ -65,6 +65,15 @@ TEST(Check, DynamicsNeedsItsSteps) {
   EXPECT_THAT(error_of(c), HasSubstr("time.steps is missing"));
 }
 
+TEST(Check, DynamicsHasNoPublishedText) {
+  Case c;
+  c.general.experiment = "dynamics";
+  c.time.steps = 10;
+  EXPECT_EQ(error_of(c), "no error");
+  c.output.text = true;
+  EXPECT_THAT(error_of(c), HasSubstr("output.text = true"));
+}
+
 TEST(Check, EveryProblemIsNamed) {
   Case c;
   c.box.boundary = "fixed";

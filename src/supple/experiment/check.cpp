@@ -59,6 +59,9 @@ void check_shear(const Case& c, Problems& problems) {
     add(problems, c,
         fmt::format("shear.rate = \"{}\" in a cell with boundary = \"{}\"", c.shear.rate, c.box.boundary),
         "only Lees-Edwards boundaries can be sheared", "set boundary = \"lees_edwards\" or rate = \"0\"");
+  if (c.general.experiment == "dynamics" && c.output.text)
+    add(problems, c, "output.text = true with experiment = \"dynamics\"",
+        "the published text format holds an oscillatory run", "export the run to csv instead");
   if (c.general.experiment == "dynamics" && c.time.steps == 0 && c.initial.state.empty())
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
