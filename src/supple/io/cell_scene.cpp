@@ -9,58 +9,6 @@ namespace supple {
 
 namespace {
 
-using Corners = std::array<Vec2, 4>;
-
-Corners cell_corners(const Box<2>& box) {
-  const double lx = box.length[flow], ly = box.length[gradient], lean = 0.5 * drawn_strain(box) * ly;
-  return {{{-lean, 0}, {lx - lean, 0}, {lx + lean, ly}, {lean, ly}}};
-}
-
-/// Whether a circle (or a point with its surroundings) comes into the cell, conservatively.
-bool comes_near(const Corners& corner, const Vec2& x, double reach) {
-  for (int k = 0; k < 4; ++k) {
-    const Vec2 edge = corner[(k + 1) % 4] - corner[k];
-    if (cross(edge, x - corner[k]) < -reach * norm(edge)) return false;
-  }
-  return true;
-}
-
-Lies lies_in(const Corners& corner, std::span<const Vec2> points) {
-  bool inside = true;
-  for (int k = 0; k < 4; ++k) {
-    const Vec2 edge = corner[(k + 1) % 4] - corner[k];
-    const auto beyond = [&](const Vec2& x) { return cross(edge, x - corner[k]) < 0; };
-    if (std::all_of(points.begin(), points.end(), beyond)) return Lies::outside;
-    inside = inside && std::none_of(points.begin(), points.end(), beyond);
-  }
-  return inside ? Lies::inside : Lies::across;
-}
-
-/// Into the leaning cell, by lattice vectors.
-Vec2 into_cell(const Box<2>& box, Vec2 x) {
-  Vec2 unused{};
-  Box<2> vertical = box;
-  vertical.periodic[flow] = false;
-  vertical.wrap(x, unused);
-  if (box.periodic[flow]) {
-    const double lean = drawn_strain(box) * (x[gradient] - 0.5 * box.length[gradient]);
-    x[flow] -= std::floor((x[flow] - lean) / box.length[flow]) * box.length[flow];
-  }
-  return x;
-}
-
-/// Lattice vectors to the neighbouring cells, none first.
-std::vector<Vec2> neighbour_cells(const Box<2>& box) {
-  const int across = box.periodic[flow] ? 2 : 0, up = box.periodic[gradient] ? 1 : 0;
-  std::vector<Vec2> shifts{{0, 0}};
-  for (int q = -up; q <= up; ++q)
-    for (int p = -across; p <= across; ++p)
-      if (p != 0 || q != 0)
-        shifts.push_back({p * box.length[flow] + q * drawn_strain(box) * box.length[gradient],
-                          q * box.length[gradient]});
-  return shifts;
-}
-
 /// Cuts the outline by the line normal . (x - origin) = offset and keeps the side below [Sutherland & Hodgman 1974].
 void cut_outline(SceneDisc& disc, const Vec2& normal, double offset, std::int32_t beyond) {
   std::vector<Vec2> kept;
@@ -124,17 +72,6 @@ void lay_out_contacts(CellScene& scene, const Box<2>& box, const std::vector<Con
 }
 
 }  // namespace
-
-double drawn_strain(const Box<2>& box) {
-  if (!box.periodic[flow]) return 0;
-  const double repeat = box.length[flow] / box.length[gradient];
-  return box.strain - repeat * std::round(box.strain / repeat);
-}
-
-Box<2> sheared(Box<2> box, double strain) {
-  box.strain = strain;
-  return box;
-}
 
 CellScene lay_out_cell(const Box<2>& box, std::span<const double> radius, const Frame& frame, double margin) {
   const std::size_t n = radius.size();

@@ -6,12 +6,9 @@
 #include <vector>
 
 #include "supple/experiment/recorder.hpp"
-#include "supple/model/box.hpp"
+#include "supple/io/drawn_cell.hpp"
 
 namespace supple {
-
-/// Where something lies with respect to the cell; `across` where in doubt.
-enum class Lies { inside, across, outside };
 
 /// A disc or a periodic image of one. Overlapping discs are flattened where they meet: the outline is the disc cut by
 /// the radical lines with its neighbours (its cell in the power diagram), so the discs tile what they cover.
@@ -35,13 +32,6 @@ struct CellScene {
   std::vector<SceneDisc> discs;   ///< disc i of the cell at index i, then the images
   std::vector<SceneLine> lines;
 };
-
-/// Strain of the cell as drawn. Images repeat along the flow, so a strain of Lx/Ly looks like none: the least lean of
-/// equal lattices, within +-Lx/(2 Ly).
-double drawn_strain(const Box<2>& box);
-
-/// The box at this strain.
-Box<2> sheared(Box<2> box, double strain);
 
 /// The cell (box.strain is the strain) leaning about mid-height, with the images of discs and contacts that show within
 /// `margin` of it. Arrays of the frame must have as many sites as `radius`.
