@@ -13,7 +13,9 @@ namespace {
 template <int Dim>
 class CellGrid {
  public:
-  CellGrid(const System<Dim>& system, double skin, double reach) : box_(system.box), reach_(reach), skin_(skin) {
+  CellGrid(const System<Dim>& system, const std::vector<double>& radius, double skin, double reach)
+      : box_(system.box), radius_(radius), reach_(reach), skin_(skin) {
+    if (!system.topology.begin.empty()) body_ = bodies_of_sites(system.topology, system.state.size());
     long cells = 1;
     for (int d = 0; d < Dim; ++d) {
       // A row is searched over up to four cells along the flow, three across; fewer would meet a cell twice.
@@ -29,10 +31,28 @@ class CellGrid {
     sort(system.state, cells);
   }
 
-  /// Appends the sites j > i that are closer to site i than the sum of their radii and the skin.
+  /// Appends the sites j > i of other bodies that are closer to site i than the sum of their radii and the skin.
   void append_near(const State<Dim>& state, std::int32_t i, std::vector<std::int32_t>& near) const {
-    const Vec<Dim>& x = state.position[i];
-    const double reach = state.radius[i] + skin_;
+    const auto before = static_cast<std::ptrdiff_t>(near.size());
+    append_all_near(state.position[i], i, near);
+    if (body_.empty()) return;
+    const auto same = [&](std::int32_t j) { return body_[j] == body_[i]; };
+    near.erase(std::remove_if(near.begin() + before, near.end(), same), near.end());
+  }
+
+ private:
+  struct Entry {
+    Vec<Dim> position;
+    double radius;
+    std::int32_t site;
+  };
+
+  void append_all_near(Vec<Dim> x, std::int32_t i, std::vector<std::int32_t>& near) const {
+    const double reach = radius_[i] + skin_;
+    if (!body_.empty()) {  // bodies may stick out of the cell
+      Vec<Dim> still{};
+      box_.wrap(x, still);
+    }
     if (single_) {
       const auto images = box_.images();
       for (const Entry& e : entries_) {
@@ -45,13 +65,6 @@ class CellGrid {
     int offset[Dim];
     for_rows(1, offset, [&] { search_row(x, reach, i, offset, near); });
   }
-
- private:
-  struct Entry {
-    Vec<Dim> position;
-    double radius;
-    std::int32_t site;
-  };
 
   static void append_if_near(const Vec<Dim>& r, double reach, std::int32_t i, const Entry& e,
                              std::vector<std::int32_t>& near) {
@@ -67,10 +80,16 @@ class CellGrid {
   void sort(const State<Dim>& state, long cells) {
     const auto n = state.position.size();
     std::vector<std::int32_t> cell(n);
+    std::vector<Vec<Dim>> wrapped = state.position;
+    if (!body_.empty())
+      for (Vec<Dim>& x : wrapped) {
+        Vec<Dim> still{};
+        box_.wrap(x, still);
+      }
     begin_.assign(static_cast<std::size_t>(cells) + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
       long index = 0;
-      for (int d = Dim - 1; d >= 0; --d) index = index * count_[d] + cell_of(state.position[i], d);
+      for (int d = Dim - 1; d >= 0; --d) index = index * count_[d] + cell_of(wrapped[i], d);
       cell[i] = static_cast<std::int32_t>(index);
       ++begin_[static_cast<std::size_t>(index) + 1];
     }
@@ -78,7 +97,7 @@ class CellGrid {
     entries_.resize(n);
     std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < n; ++i)
-      entries_[next[cell[i]]++] = {state.position[i], state.radius[i], static_cast<std::int32_t>(i)};
+      entries_[next[cell[i]]++] = {wrapped[i], radius_[i], static_cast<std::int32_t>(i)};
   }
 
   /// body() for every row of cells beside the present one: offsets -1, 0, 1 in each direction but the flow.
@@ -129,6 +148,8 @@ class CellGrid {
   }
 
   const Box<Dim>& box_;
+  const std::vector<double>& radius_;
+  std::vector<std::int32_t> body_;  ///< of each site; empty: every site is a body
   double reach_, skin_;
   bool single_ = false;
   int count_[Dim];
@@ -186,15 +207,22 @@ bool NeighborList<Dim>::update(System<Dim>& system) {
 template <int Dim>
 bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const Box<Dim>& box = system.box;
-  if (!built_ || position_at_build_.size() != system.state.position.size() || !(length_at_build_ == box.length)) return true;
+  if (!built_ || position_at_build_.size() != system.state.position.size()) return true;
   const double strain_change = box.strain - strain_at_build_;
-  const double slack = skin_ - std::abs(strain_change) * reach_;
-  if (slack <= 0) return true;
+  Vec<Dim> growth;
+  double largest_growth = 0;
+  for (int d = 0; d < Dim; ++d) {
+    growth[d] = box.length[d] / length_at_build_[d];
+    largest_growth = std::max(largest_growth, std::abs(growth[d] - 1));
+  }
+  const double slack = skin_ - (std::abs(strain_change) + largest_growth) * reach_;
+  if (!(slack > 0)) return true;
   const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
   const auto images = box.images();
   std::int64_t within = 0;
   for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
-    Vec<Dim> u = system.state.position[i] - position_at_build_[i];
+    Vec<Dim> u = system.state.position[i];
+    for (int d = 0; d < Dim; ++d) u[d] -= growth[d] * position_at_build_[i][d];
     u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
     images.reduce(u);
     within += dot(u, u) <= limit;
@@ -203,15 +231,30 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   return within != static_cast<std::int64_t>(position_at_build_.size());
 }
 
+/// Radii within which sites may meet something: their own, and half of the longest facet there.
+template <int Dim>
+std::vector<double> NeighborList<Dim>::reach_of_sites(const System<Dim>& system) const {
+  std::vector<double> reach = system.state.radius;
+  if (meeting_ == Meeting::sites) return reach;
+  std::vector<double> longest(reach.size());
+  for (const auto& facet : system.topology.facet)
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < a; ++b) {
+        const double length = norm(system.state.position[facet[a]] - system.state.position[facet[b]]);
+        for (const std::int32_t site : {facet[a], facet[b]}) longest[site] = std::max(longest[site], length);
+      }
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += 0.5 * longest[i];
+  return reach;
+}
+
 template <int Dim>
 void NeighborList<Dim>::build(System<Dim>& system) {
   const State<Dim>& state = system.state;
   const int n = state.size();
   double sum = 0, largest = 0;
-  for (double r : state.radius) {
-    sum += r;
-    largest = std::max(largest, r);
-  }
+  for (double r : state.radius) sum += r;
+  const std::vector<double> radius = reach_of_sites(system);
+  for (double r : radius) largest = std::max(largest, r);
   skin_ = relative_skin_ * sum / std::max(n, 1);
   reach_ = 2 * largest + skin_;
 
@@ -221,7 +264,7 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   pairs.version = old_.version + 1;
   pairs.begin.assign(static_cast<std::size_t>(n) + 1, 0);
 
-  const CellGrid<Dim> grid(system, skin_, reach_);
+  const CellGrid<Dim> grid(system, radius, skin_, reach_);
   partners_.resize(static_cast<std::size_t>(chunk_count(n)));
   for_chunks(n, [&](std::int64_t c, std::int64_t begin, std::int64_t end) {
     auto& partners = partners_[static_cast<std::size_t>(c)];

@@ -9,26 +9,36 @@ namespace supple {
 /// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
 inline constexpr double default_skin = 0.4;
 
-/// Keeps System::pairs complete: every pair closer than the sum of its radii, and every permanent link however
-/// stretched, has a row; pairs within the skin have one too. Rows that leave lose their history; permanent ones stay.
-/// Stale when a site has moved, relative to the affine flow since the last build, so far that a pair without a row
-/// could touch: 2 max|u| + |strain change| * reach > skin.
+/// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
+enum class Meeting { sites, facets };
+
+/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii (Meeting::facets: and half of the
+/// longest facets at either site), and every permanent link however stretched, has a row; pairs within the skin have one too. Rows
+/// that leave lose their history; permanent ones stay. Stale when a site has moved, relative to the affine flow and the change of the
+/// box since the last build, so far that a pair without a row could touch:
+/// 2 max|u| + (|strain change| + |relative change of lengths|) * reach > skin.
 template <int Dim>
 class NeighborList {
  public:
-  explicit NeighborList(double relative_skin = default_skin) : relative_skin_(relative_skin) {}
+  explicit NeighborList(double relative_skin = default_skin, Meeting meeting = Meeting::sites)
+      : relative_skin_(relative_skin), meeting_(meeting) {}
 
   /// Rebuilds if stale. Returns whether it did.
   bool update(System<Dim>& system);
   /// Forces a build at the next update (after sites, radii, links or the box were changed by hand).
   void invalidate() { built_ = false; }
   long builds() const { return builds_; }
+  /// Distance [length] by which pairs with a row may be apart beyond touching.
+  double skin() const { return skin_; }
 
  private:
   bool stale(const System<Dim>& system) const;
   void build(System<Dim>& system);
 
+  std::vector<double> reach_of_sites(const System<Dim>& system) const;
+
   double relative_skin_;
+  Meeting meeting_;
   double skin_ = 0, reach_ = 0;
   bool built_ = false;
   long builds_ = 0;

@@ -28,6 +28,8 @@ struct ContactRecord {
   Vec<Dim> branch{};
   double reach = 0;       ///< distance at which the surfaces meet [length]
   double gap = 0;         ///< distance less reach; negative: overlap [length]
+  /// Factor on the law's energy and force: -1 takes back a corner that two edges counted, 1/2 is the scale of 9.5.
+  double multiplicity = 1;
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
   std::int32_t up = 0;    ///< cells between the two sides along the gradient
   bool crosses = false;   ///< whether the contact is with a periodic image

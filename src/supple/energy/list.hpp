@@ -2,11 +2,17 @@
 #pragma once
 #include <tuple>
 
+#include "supple/energy/enclosed_volume.hpp"
 #include "supple/energy/facet_stretch.hpp"
+#include "supple/energy/facet_tension.hpp"
+#include "supple/energy/hinge_bend.hpp"
 
 namespace supple {
 
+/// Terms of a fixed stencil.
 template <int Dim>
-using Terms = std::tuple<FacetStretch<Dim>>;
+using Terms = std::tuple<FacetStretch<Dim>, FacetTension<Dim>, HingeBend<Dim>>;
+/// Terms of a whole body.
+using BodyTerms = std::tuple<EnclosedVolume>;
 
 }  // namespace supple

@@ -27,6 +27,12 @@ concept HasGradient = requires(const Points<Term, Dim>& x, const typename Term::
   { Term::gradient(x, p, g) } -> std::convertible_to<double>;
 };
 
+/// A term of a whole body: a pure function energy(v, p) of the area or volume that its boundary encloses.
+template <class Term>
+concept BodyTerm = requires(double volume, const typename Term::Param& p) {
+  { Term::energy(volume, p) } -> std::convertible_to<double>;
+};
+
 /// Energy, and its gradient g by every point, by differentiation of the energy.
 template <class Term, int Dim>
 double jet_gradient(const Points<Term, Dim>& x, const typename Term::Param& p, Points<Term, Dim>& g) {

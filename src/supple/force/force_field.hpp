@@ -1,20 +1,27 @@
 /// All forces on a system: what is evaluated, in which order, and when the memory of contacts moves on.
 #pragma once
+#include <memory>
 #include <optional>
 
+#include "supple/contact/body_contacts.hpp"
 #include "supple/contact/disc_contacts.hpp"
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/plates.hpp"
+#include "supple/contact/walls.hpp"
+#include "supple/force/external.hpp"
 #include "supple/force/terms.hpp"
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates -> Evaluation. Evaluating changes nothing but
-/// the rows of System::pairs; only commit() lets contacts remember.
+/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external -> Evaluation. Evaluating changes
+/// nothing but the rows of System::pairs; only commit() lets contacts remember. Discs with memory (the microgel model) have
+/// DiscContacts, bodies of many sites a BodyContacts.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
       : contacts_(std::move(contacts)), neighbors_(relative_skin) {}
+  explicit ForceField(std::shared_ptr<BodyContacts> contacts, double relative_skin = default_skin)
+      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting()) {}
 
   void evaluate(System<2>& system, Detail detail, Evaluation<2>& out) {
     neighbors_.update(system);
@@ -25,28 +32,44 @@ class ForceField {
     out.energy = {};
     out.virial = {};
     terms_.evaluate(system, detail, out);
-    contacts_.evaluate(system, system.lag, detail, out);
+    if (bodies_) bodies_->evaluate(system, detail, out);
+    else contacts_.evaluate(system, system.lag, detail, out);
     if (repulsive_plates_) evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
+    if (walls_) evaluate_walls(system, *walls_, detail, out);
+    if (!external_.empty()) external_.evaluate(system, detail, out);
   }
+
+  /// Second derivatives of the energy. Not for contacts with memory, whose force has no energy.
+  void add_hessian(System<2>& system, HessianBlocks<2>& blocks);
 
   /// Accepts the step: contacts remember what this evaluation found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {
-    system.pairs.state.swap(evaluation.trial_state);
-    system.pairs.history.swap(evaluation.trial_history);
+    system.floor_contact.swap(evaluation.trial_floor_contact);
+    if (!bodies_) {
+      system.pairs.state.swap(evaluation.trial_state);
+      system.pairs.history.swap(evaluation.trial_history);
+    }
     system.lag = 0;
   }
 
   void invalidate() { neighbors_.invalidate(); }
   void set_repulsive_plates(bool repulsive) { repulsive_plates_ = repulsive; }
+  void set_walls(const WallLaw& walls) { walls_ = walls; }
   TermSet<2>& terms() { return terms_; }
+  ExternalForces<2>& external() { return external_; }
   DiscContacts& contacts() { return contacts_; }
   const DiscContacts& contacts() const { return contacts_; }
+  /// The contacts of bodies of many sites; null for discs with memory.
+  BodyContacts* bodies() const { return bodies_.get(); }
   const NeighborList<2>& neighbors() const { return neighbors_; }
 
  private:
   TermSet<2> terms_;
+  ExternalForces<2> external_;
   DiscContacts contacts_;
+  std::shared_ptr<BodyContacts> bodies_;
   NeighborList<2> neighbors_;
+  std::optional<WallLaw> walls_;
   bool repulsive_plates_ = false;
 };
 

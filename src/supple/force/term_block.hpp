@@ -11,7 +11,8 @@
 #include "supple/core/parallel.hpp"
 #include "supple/energy/term.hpp"
 #include "supple/model/evaluation.hpp"
-#include "supple/model/state.hpp"
+#include "supple/model/hessian.hpp"
+#include "supple/model/system.hpp"
 
 namespace supple {
 
@@ -21,9 +22,11 @@ class TermBlock {
  public:
   virtual ~TermBlock() = default;
   virtual std::string_view name() const = 0;
-  virtual double energy(const State<Dim>& state) const = 0;
+  virtual double energy(const System<Dim>& system) const = 0;
   /// Adds forces and, with Detail::energies, energy.terms and the virial.
-  virtual void evaluate(const State<Dim>& state, Detail detail, Evaluation<Dim>& out) const = 0;
+  virtual void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const = 0;
+  /// Adds second derivatives.
+  virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const = 0;
 };
 
 template <class Term, int Dim>
@@ -43,7 +46,8 @@ class StencilBlock final : public TermBlock<Dim> {
 
   std::string_view name() const override { return Term::name; }
 
-  double energy(const State<Dim>& state) const override {
+  double energy(const System<Dim>& system) const override {
+    const State<Dim>& state = system.state;
     check_sites(state);
     return sum_chunks<double>(size(), [&](std::int64_t begin, std::int64_t end) {
       double sum = 0;
@@ -56,7 +60,8 @@ class StencilBlock final : public TermBlock<Dim> {
     });
   }
 
-  void evaluate(const State<Dim>& state, Detail detail, Evaluation<Dim>& out) const override {
+  void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const override {
+    const State<Dim>& state = system.state;
     check_sites(state);
     const bool serial = thread_count() == 1 || chunk_count(size()) < 2 * thread_count();
     // Threads may not add to the same site: they fill their own slots, and each site then adds its slots in
@@ -84,6 +89,22 @@ class StencilBlock final : public TermBlock<Dim> {
       out.virial += total.virial;
     }
     if (!serial) add_slots(slots, out.force);
+  }
+
+  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const override {
+    check_sites(system.state);
+    for (std::int64_t k = 0; k < size(); ++k) {
+      Points<Term, Dim> x;
+      gather(system.state, k, x);
+      const TermHessian<Term, Dim> h = term_hessian<Term, Dim>(x, param(k));
+      for (int a = 0; a < Term::arity; ++a)
+        for (int b = 0; b <= a; ++b) {
+          HessianBlock<Dim> block{stencils_[k][a], stencils_[k][b], {}};
+          for (int c = 0; c < Dim; ++c)
+            for (int d = 0; d < Dim; ++d) block.h[c][d] = h[a * Dim + c][b * Dim + d];
+          blocks.push_back(block);
+        }
+    }
   }
 
  private:

@@ -10,7 +10,7 @@
 
 namespace supple {
 
-/// The terms of a system. They see the positions of State as they are: bodies stay unwrapped.
+/// The terms of a system. They see positions as they are: bodies stay unwrapped.
 template <int Dim>
 class TermSet {
  public:
@@ -22,18 +22,25 @@ class TermSet {
     blocks_.push_back(std::make_shared<StencilBlock<Term, Dim>>(std::move(stencils), std::move(params)));
   }
 
+  /// Adds anything else that acts inside bodies.
+  void add(std::shared_ptr<const TermBlock<Dim>> block) { blocks_.push_back(std::move(block)); }
+
   bool empty() const { return blocks_.empty(); }
 
   /// Adds forces; with Detail::energies also energy.terms and the virial. Same bits for any number of
   /// threads.
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const {
-    for (const auto& block : blocks_) block->evaluate(system.state, detail, out);
+    for (const auto& block : blocks_) block->evaluate(system, detail, out);
+  }
+
+  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
+    for (const auto& block : blocks_) block->add_hessian(system, blocks);
   }
 
   /// Name and energy of each term, in the order they were added.
   std::vector<std::pair<std::string, double>> energies(const System<Dim>& system) const {
     std::vector<std::pair<std::string, double>> parts;
-    for (const auto& block : blocks_) parts.emplace_back(block->name(), block->energy(system.state));
+    for (const auto& block : blocks_) parts.emplace_back(block->name(), block->energy(system));
     return parts;
   }
 

@@ -44,15 +44,16 @@ enum class Detail { forces, energies };
 
 /// Energy stored and power dissipated, by channel.
 struct EnergyParts {
-  double terms = 0, elastic = 0, tangential = 0, wall = 0;  ///< [energy]
+  double terms = 0, elastic = 0, tangential = 0, wall = 0, external = 0;  ///< [energy]
   double viscous_power = 0, tangential_viscous_power = 0, sliding_power = 0;  ///< [energy / time], positive: lost
   EnergyParts& operator+=(const EnergyParts& b) {
     terms += b.terms; elastic += b.elastic; tangential += b.tangential; wall += b.wall;
+    external += b.external;
     viscous_power += b.viscous_power; tangential_viscous_power += b.tangential_viscous_power;
     sliding_power += b.sliding_power;
     return *this;
   }
-  double stored() const { return terms + elastic + tangential + wall; }
+  double stored() const { return terms + elastic + tangential + wall + external; }
 };
 
 /// Forces and torques on every site, the contacts that made them, and what the law will remember if the step is
@@ -66,6 +67,7 @@ struct Evaluation {
   std::vector<PairForce<Dim>> pair;          ///< aligned with System::pairs
   std::vector<ContactState> trial_state;     ///< aligned with System::pairs
   std::vector<double> trial_history;         ///< aligned with System::pairs.history
+  std::vector<double> trial_floor_contact;   ///< aligned with sites; empty: no floor with friction
   std::vector<SiteForce<Dim>> wall;          ///< forces of repulsive plates and walls, external to the sample
   EnergyParts energy;
   Mat<Dim> virial;

@@ -1,9 +1,11 @@
 /// Everything that a checkpoint must hold.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "supple/model/box.hpp"
 #include "supple/model/pair_table.hpp"
+#include "supple/model/shape.hpp"
 #include "supple/model/state.hpp"
 #include "supple/model/topology.hpp"
 
@@ -14,7 +16,10 @@ struct System {
   Box<Dim> box;
   State<Dim> state;
   Topology<Dim> topology;
+  Shape shape;
   PairTable pairs;
+  /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with friction.
+  std::vector<double> floor_contact;
   double time = 0;
   /// Time over which the present velocities carried the positions while contact history has not yet followed: the
   /// last step of a leapfrog, 0 where position and velocity are of one instant.

@@ -8,14 +8,28 @@ namespace supple {
 
 /// Sites [begin[b], begin[b+1]) form body b; empty `begin`: every site is a body of its own (discs).
 /// A facet has Dim sites (edge, triangle); a hinge joins two facets (Dim + 1 sites); a bond joins two sites.
+/// Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon leaves its vertex k,
+/// counter-clockwise, and hinge k is the corner there: (previous, k, next).
 template <int Dim>
 struct Topology {
-  std::vector<std::int32_t> begin;
+  std::vector<std::int32_t> begin, facet_begin, hinge_begin;
   std::vector<std::array<std::int32_t, Dim>> facet;
   std::vector<std::array<std::int32_t, Dim + 1>> hinge;
   std::vector<std::array<std::int32_t, 2>> bond;
 
   int body_count(int sites) const { return begin.empty() ? sites : static_cast<int>(begin.size()) - 1; }
+  int body_begin(int b) const { return begin.empty() ? b : begin[b]; }
+  int body_end(int b) const { return begin.empty() ? b + 1 : begin[b + 1]; }
+  int body_size(int b) const { return body_end(b) - body_begin(b); }
 };
+
+/// Body of each site.
+template <int Dim>
+std::vector<std::int32_t> bodies_of_sites(const Topology<Dim>& topology, int sites) {
+  std::vector<std::int32_t> body(static_cast<std::size_t>(sites));
+  for (int b = 0; b < topology.body_count(sites); ++b)
+    for (int i = topology.body_begin(b); i < topology.body_end(b); ++i) body[i] = b;
+  return body;
+}
 
 }  // namespace supple

@@ -1,0 +1,18 @@
+/// The harmonic repulsion of vertices, edges and walls.
+#pragma once
+
+namespace supple {
+
+/// U = (k/2)(sigma - r)^2 for r < sigma [MacKeith 2025, eq. 9.3], k = stiffness [energy/length^2]; relative: U = (stiffness/2)(1 - r/sigma)^2,
+/// stiffness [energy]. r: distance, sigma: where the surfaces meet [length]. Callers ask only for r < sigma.
+struct Harmonic {
+  double stiffness = 1;
+  bool relative = false;
+
+  double spring(double sigma) const { return relative ? stiffness / (sigma * sigma) : stiffness; }
+  double energy(double r, double sigma) const { return 0.5 * spring(sigma) * (sigma - r) * (sigma - r); }
+  /// -dU/dr, positive: repulsion.
+  double force(double r, double sigma) const { return spring(sigma) * (sigma - r); }
+};
+
+}  // namespace supple

@@ -1,0 +1,26 @@
+/// Repulsive walls where the cell is not periodic, and a floor with Coulomb friction.
+#pragma once
+#include <array>
+
+#include "supple/contact/laws/harmonic.hpp"
+#include "supple/model/evaluation.hpp"
+#include "supple/model/hessian.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// U = (k_p/2)(sigma/2 - distance)^2 between a site and a wall nearer than sigma/2, at x_d = 0 and x_d = length_d of every direction that is
+/// not periodic. A site beyond a wall is pushed back. stands[d][0], [1]: whether the lower, the upper one is there.
+struct WallLaw {
+  Harmonic repulsion{4, false};
+  double floor_friction = 0;      ///< Coulomb coefficient of the floor, the lower wall of the gradient direction
+  double floor_stiffness = 2;     ///< of the tangential spring to the point where a site sticks [force/length]
+  std::array<std::array<bool, 2>, 2> stands{{{true, true}, {true, true}}};
+};
+
+/// Adds forces, energy.wall, the virial (walls move with the cell) and, with friction, the trial points of the floor where sites stick.
+void evaluate_walls(const System<2>& system, const WallLaw& walls, Detail detail, Evaluation<2>& out);
+/// Second derivatives of the repulsion.
+void add_wall_hessian(const System<2>& system, const WallLaw& walls, HessianBlocks<2>& blocks);
+
+}  // namespace supple

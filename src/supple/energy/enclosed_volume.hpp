@@ -1,0 +1,28 @@
+#pragma once
+#include <string_view>
+#include <tuple>
+
+#include "supple/core/field.hpp"
+
+namespace supple {
+
+/// Enclosed area in 2D, volume in 3D [MacKeith 2025, eq. 9.1-9.2]:
+///     E = (k/2) (v - v0)^2,   k [energy / length^(2 Dim)],  v0 [length^Dim].
+/// A body term: a function of the volume that the facets of a closed boundary enclose.
+struct EnclosedVolume {
+  static constexpr std::string_view name = "enclosed_volume";
+  struct Param {
+    double stiffness, rest;
+  };
+  static constexpr auto fields =
+      std::tuple{Field<Param>{"stiffness", &Param::stiffness, "energy/length^(2 Dim)", "k", not_negative},
+                 Field<Param>{"rest", &Param::rest, "length^Dim", "rest volume v0", not_negative}};
+
+  template <class S>
+  static S energy(const S& volume, const Param& p) {
+    const S excess = volume - p.rest;
+    return 0.5 * p.stiffness * excess * excess;
+  }
+};
+
+}  // namespace supple

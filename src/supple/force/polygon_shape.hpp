@@ -1,0 +1,17 @@
+/// The whole shape energy of polygons in one pass over each ring: the fast path of 2D.
+#pragma once
+#include "supple/force/term_block.hpp"
+
+namespace supple {
+
+/// Enclosed area, edge length, corner angle and line tension [MacKeith 2025, eq. 9.1] with the numbers of System::shape, read at each
+/// evaluation so that preferred shapes may flow. The terms of energy/ are the reference (shape_terms.hpp): equal to rounding.
+class PolygonShape final : public TermBlock<2> {
+ public:
+  std::string_view name() const override { return "polygon_shape"; }
+  double energy(const System<2>& system) const override;
+  void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const override;
+  void add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const override;
+};
+
+}  // namespace supple

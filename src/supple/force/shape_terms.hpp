@@ -1,0 +1,11 @@
+/// The shape energy as terms of energy/: for Hessians, energies by term, 3D, and to check the fast path.
+#pragma once
+#include "supple/force/terms.hpp"
+
+namespace supple {
+
+/// The terms that System::shape stands for, with its present stiffnesses and rest values.
+template <int Dim>
+TermSet<Dim> shape_terms(const System<Dim>& system);
+
+}  // namespace supple

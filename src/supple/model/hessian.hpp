@@ -1,0 +1,21 @@
+/// Second derivatives of the energy by the positions of pairs of sites.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "supple/core/vec.hpp"
+
+namespace supple {
+
+/// Adds d2U / dx_a dx_b = h at the block (a, b); where a != b the block (b, a) is its transpose and is not listed.
+/// The same pair may occur many times: blocks add up.
+template <int Dim>
+struct HessianBlock {
+  std::int32_t a, b;
+  Mat<Dim> h;
+};
+
+template <int Dim>
+using HessianBlocks = std::vector<HessianBlock<Dim>>;
+
+}  // namespace supple

@@ -1,0 +1,53 @@
+#include "supple/contact/rough_contacts.hpp"
+
+#include "tests/support/field_check.hpp"
+#include "tests/support/polygons.hpp"
+
+namespace supple {
+namespace {
+
+TEST(RoughContacts, ForceFieldHoldsWhatEveryFieldMust) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(seed);
+    System<2> system = testing::random_polygons({.seed = seed});
+    add_disc_body(system, {1.1, 1.3}, 0.6);
+    ForceField field = testing::polygon_field(std::make_shared<RoughContacts>(Harmonic{2, seed == 2}));
+    testing::FieldCheck(field, system).run();
+    EXPECT_GT(field.bodies()->records(system).size(), 10u);
+  }
+}
+
+TEST(RoughContacts, FastLoopEqualsItsRecords) {
+  System<2> system = testing::random_polygons({.bodies = 30});
+  auto contacts = std::make_shared<RoughContacts>(Harmonic{1.5, true});
+  ForceField field(contacts);
+  Evaluation<2> fast, slow;
+  field.evaluate(system, Detail::energies, fast);
+  slow.force.resize(fast.force.size());
+  slow.torque.resize(fast.force.size());
+  const auto records = contacts->records(system);
+  ASSERT_GT(records.size(), 20u);
+  evaluate_conservative(records, contacts->law(), slow);
+  EXPECT_NEAR(fast.energy.elastic, slow.energy.elastic, 1e-14 * slow.energy.elastic);
+  for (std::size_t i = 0; i < fast.force.size(); ++i) EXPECT_LT(norm(fast.force[i] - slow.force[i]), 1e-13);
+  EXPECT_NEAR(fast.virial[0][1], slow.virial[0][1], 1e-13);
+}
+
+/// Sites of one body never meet; the nearest image is found however far a body has wandered.
+TEST(RoughContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
+  System<2> system;
+  system.box.length = {8, 8};
+  system.box.strain = 0.3;
+  add_disc_body(system, {0.2, 0.1}, 0.5);
+  add_disc_body(system, {8.0 - 0.3 + 5 * 8 + 3 * 0.3 * 8, 8 * 3.0 + 0.1}, 0.5);
+  auto contacts = std::make_shared<RoughContacts>(Harmonic{2});
+  ForceField field(contacts);
+  Evaluation<2> out;
+  field.evaluate(system, Detail::energies, out);
+  EXPECT_NEAR(out.energy.elastic, 0.25, 1e-12);
+  EXPECT_NEAR(out.force[0][0], 1, 1e-12);
+  EXPECT_NEAR(out.force[1][0], -1, 1e-12);
+}
+
+}  // namespace
+}  // namespace supple

@@ -1,0 +1,92 @@
+#include "supple/force/polygon_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include "supple/force/shape_terms.hpp"
+#include "tests/support/polygons.hpp"
+
+namespace supple {
+namespace {
+
+Evaluation<2> evaluate(const TermSet<2>& terms, const System<2>& system, Detail detail = Detail::energies) {
+  Evaluation<2> out;
+  out.force.resize(system.state.size());
+  terms.evaluate(system, detail, out);
+  return out;
+}
+
+TermSet<2> fast_terms() {
+  TermSet<2> terms;
+  terms.add(std::make_shared<PolygonShape>());
+  return terms;
+}
+
+void expect_same(const Evaluation<2>& a, const Evaluation<2>& b) {
+  EXPECT_NEAR(a.energy.terms, b.energy.terms, 1e-13 * std::abs(b.energy.terms));
+  double scale = 0;
+  for (const Vec2& f : b.force) scale = std::max(scale, norm(f));
+  ASSERT_GT(scale, 0);
+  for (std::size_t i = 0; i < a.force.size(); ++i) EXPECT_LT(norm(a.force[i] - b.force[i]), 1e-12 * scale) << "site " << i;
+  for (int c = 0; c < 2; ++c)
+    for (int d = 0; d < 2; ++d) EXPECT_NEAR(a.virial[c][d], b.virial[c][d], 1e-11 * scale) << c << d;
+}
+
+TEST(PolygonShape, EqualsTheTermsItStandsFor) {
+  System<2> system = testing::random_polygons({.bodies = 40});  // several groups of rings
+  add_disc_body(system, {1, 1}, 0.5);
+  expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
+  for (ShapeStiffness& k : system.shape.stiffness) k.hinge = 0;  // floppy: no angles
+  expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
+}
+
+TEST(PolygonShape, HasTheSameForcesWithAndWithoutEnergies) {
+  const System<2> system = testing::random_polygons();
+  EXPECT_EQ(evaluate(fast_terms(), system, Detail::forces).force, evaluate(fast_terms(), system).force);
+}
+
+TEST(PolygonShape, UniformRestAnglesDropOut) {
+  System<2> system = testing::random_polygons();
+  const Evaluation<2> before = evaluate(fast_terms(), system);
+  for (int b = 0; b < 9; ++b)
+    for (int h = system.topology.hinge_begin[b]; h < system.topology.hinge_begin[b + 1]; ++h) system.shape.rest_hinge[h] = 0;
+  const Evaluation<2> after = evaluate(fast_terms(), system);
+  for (std::size_t i = 0; i < before.force.size(); ++i) EXPECT_LT(norm(before.force[i] - after.force[i]), 1e-13);
+  EXPECT_GT(std::abs(before.energy.terms - after.energy.terms), 1);
+}
+
+TEST(PolygonShape, IsAtRestInItsPreferredShape) {
+  System<2> system;
+  system.box.length = {10, 10};
+  add_polygon(system, {5, 5}, 2, 11, 0.3, 1, {.bending = 0.2});
+  const Evaluation<2> out = evaluate(fast_terms(), system);
+  EXPECT_LT(out.energy.terms, 1e-28);
+  for (const Vec2& f : out.force) EXPECT_LT(norm(f), 1e-13);
+}
+
+/// A droplet is under the pressure gamma dp/da: Laplace's law for a regular polygon, p^2 = 4 N tan(pi/N) a.
+TEST(PolygonShape, DropletObeysLaplace) {
+  System<2> system;
+  system.box.length = {10, 10};
+  const int n = 16;
+  const double gamma = 0.3, k_a = 40;
+  add_polygon(system, {5, 5}, 2, n, 0, 1, {k_a, 0, 0, gamma, StiffnessKind::absolute});
+  // Area at which k_a (a0 - a) = gamma dp/da.
+  double a = 2;
+  for (int k = 0; k < 200; ++k) a = 2 - gamma / k_a * std::sqrt(n * std::tan(M_PI / n) / a);
+  for (Vec2& x : system.state.position) x = Vec2{5, 5} + std::sqrt(a / 2) * (x - Vec2{5, 5});
+  for (const Vec2& f : evaluate(fast_terms(), system).force) EXPECT_LT(norm(f), 1e-13);
+}
+
+TEST(PolygonShape, GivesTheSameBitsForOneAndTwoThreads) {
+  const System<2> system = testing::random_polygons({.bodies = 1600});
+  const Evaluation<2> one = evaluate(fast_terms(), system);
+  thread_count() = 2;
+  const Evaluation<2> two = evaluate(fast_terms(), system);
+  thread_count() = 1;
+  EXPECT_EQ(one.force, two.force);
+  EXPECT_EQ(one.energy.terms, two.energy.terms);
+  EXPECT_EQ(one.virial[0][1], two.virial[0][1]);
+}
+
+}  // namespace
+}  // namespace supple
