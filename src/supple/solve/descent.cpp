@@ -1,0 +1,41 @@
+#include "supple/solve/descent.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace supple {
+
+bool Descent::evaluate() {
+  ++report.evaluations;
+  report.energy = objective.evaluate(x, gradient);
+  report.residual = objective.residual(x, gradient);
+  report.tolerance = objective.tolerance();
+  return std::isfinite(report.energy) && std::isfinite(dot(gradient, gradient));
+}
+
+void Descent::count_iteration() {
+  ++report.iterations;
+  if (!callback || report.iterations % callback_interval != 0) return;
+  if (!callback(report) && report.residual > report.tolerance) stop("stopped by the caller");
+}
+
+bool Descent::finished() {
+  if (stopped_) return true;
+  if (report.residual <= report.tolerance) {
+    report.converged = true;
+    report.reason = "converged";
+    return true;
+  }
+  if (report.evaluations >= max_evaluations)
+    stop(fmt::format("{} evaluations were not enough", max_evaluations));
+  return stopped_;
+}
+
+void Descent::stop(const std::string& reason) {
+  stopped_ = true;
+  report.converged = false;
+  report.reason = reason;
+}
+
+}  // namespace supple

@@ -1,0 +1,49 @@
+/// A minimisation under way: the point, its gradient, and the account of the work done.
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "supple/solve/objective.hpp"
+
+namespace supple {
+
+/// What a minimisation reached, and why it stopped.
+struct MinimiseReport {
+  bool converged = false;
+  long evaluations = 0, iterations = 0, factorisations = 0;
+  double energy = 0, residual = 0, tolerance = 0;
+  std::string reason;
+};
+
+/// Called every so many iterations; returns false to stop.
+using MinimiseCallback = std::function<bool(const MinimiseReport&)>;
+
+/// The minimisers move `x` and call evaluate(); the last evaluation of a run is always at `x`.
+struct Descent {
+  Descent(Objective& function, std::span<double> point)
+      : objective(function), x(point), gradient(point.size()) {}
+
+  /// Energy, gradient, residual and tolerance at x. False if energy or gradient is not finite.
+  bool evaluate();
+  /// Counts an iteration and calls back when it is time to.
+  void count_iteration();
+  /// Whether to stop: converged, out of evaluations, or told to. The report's reason then says why.
+  bool finished();
+  /// Ends it as not converged.
+  void stop(const std::string& reason);
+
+  Objective& objective;
+  std::span<double> x;
+  std::vector<double> gradient;
+  MinimiseReport report;
+  long max_evaluations = 1'000'000;
+  long callback_interval = 100;  ///< iterations
+  MinimiseCallback callback;
+
+ private:
+  bool stopped_ = false;
+};
+
+}  // namespace supple

@@ -1,0 +1,50 @@
+/// Second-order minimisation: limited-memory BFGS preconditioned by a factorised Hessian, which is
+/// regularised Newton when there is no memory.
+#pragma once
+#include <vector>
+
+#include "supple/solve/descent.hpp"
+#include "supple/solve/factorisation.hpp"
+
+namespace supple {
+
+struct NewtonSpec {
+  int memory =
+      12;  ///< steps whose change of gradient corrects the factorisation; 0: a factorisation every step
+};
+
+/// Steps -B g, where B is the inverse of H + shift I corrected by the L-BFGS recursion (Nocedal 1980) with
+/// the steps since it was factorised. The shift keeps it positive definite and its steps short, and falls
+/// with the gradient.
+class Newton {
+ public:
+  explicit Newton(const NewtonSpec& spec = {}) : spec_(spec) {}
+
+  /// Moves until finished or for so many iterations. False if it cannot go on from where it is.
+  bool run(Descent& descent, long iterations);
+
+ private:
+  struct Pair {
+    std::vector<double> move, change;  ///< of x and of the gradient
+    double inverse = 0;                ///< 1 / move.change
+  };
+
+  bool iterate(Descent& descent);
+  void refresh(Descent& descent);
+  void find_direction(std::span<const double> gradient);
+  void remember(const std::vector<double>& before, double step, std::span<const double> gradient);
+  bool is_stale(double residual);
+  double shift_for(const Descent& descent) const;
+
+  NewtonSpec spec_;
+  Factorisation factorisation_;
+  SparseMatrix hessian_;
+  std::vector<Pair> pairs_;  ///< the oldest first
+  std::vector<double> direction_, before_, weight_;
+  std::vector<double> history_;  ///< smallest residual after each iteration since the factorisation
+  bool factorised_ = false;
+  double damping_ = 0.1;     ///< of the shift, in units of (largest gradient / largest move)
+  double needed_shift_ = 0;  ///< that made the last one positive definite, if it needed one
+};
+
+}  // namespace supple

@@ -1,0 +1,36 @@
+/// What a minimiser sees: a function of n numbers. Bodies, box and strain are the objective's business.
+#pragma once
+#include <Eigen/SparseCore>
+#include <limits>
+#include <span>
+
+#include "supple/solve/sums.hpp"
+
+namespace supple {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;  ///< lower triangle only, column major
+
+/// A function of n numbers with a continuous gradient and, almost everywhere, second derivatives. The numbers
+/// are scaled alike (lengths, say): the minimisers give all of them unit mass.
+class Objective {
+ public:
+  virtual ~Objective() = default;
+  virtual int size() const = 0;
+  /// Energy at x; fills the gradient.
+  virtual double evaluate(std::span<const double> x, std::span<double> gradient) = 0;
+  /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
+  /// contacts come and go; rows may be empty.
+  virtual void hessian(std::span<const double> x, SparseMatrix& lower) = 0;
+  /// What must become small; the largest |component| of the gradient unless overridden, e.g. by the largest
+  /// net force on a site.
+  virtual double residual(std::span<const double> x, std::span<const double> gradient) {
+    return largest(gradient);
+  }
+  /// Residual at which to stop; it may depend on the state just evaluated (1e-6 of the mean contact force,
+  /// say).
+  virtual double tolerance() const = 0;
+  /// Largest change of one number in one step, e.g. a fraction of a site's diameter.
+  virtual double largest_move() const { return std::numeric_limits<double>::infinity(); }
+};
+
+}  // namespace supple
