@@ -5,6 +5,7 @@
 
 #include "supple/model/box.hpp"
 #include "supple/model/pair_table.hpp"
+#include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
 #include "supple/model/state.hpp"
 #include "supple/model/topology.hpp"
@@ -17,6 +18,7 @@ struct System {
   State<Dim> state;
   Topology<Dim> topology;
   Shape shape;
+  RigidBodies rigid;  ///< empty: every body deforms
   PairTable pairs;
   /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with friction.
   std::vector<double> floor_contact;

@@ -1,0 +1,111 @@
+#include "supple/model/rigid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+namespace {
+
+/// Where a new rigid body is and how it moves; no offsets yet.
+struct Motion {
+  Vec2 centre{}, velocity{};
+  double mass = 0, inertia = 0, spin = 0;
+};
+
+Motion motion_of(const System<2>& system, int b) {
+  const State<2>& s = system.state;
+  const int begin = system.topology.body_begin(b), end = system.topology.body_end(b);
+  Motion m;
+  // From the first site, so that a body far from the origin loses no digits.
+  for (int i = begin; i < end; ++i) {
+    m.mass += s.mass[i];
+    m.centre += s.mass[i] * (s.position[i] - s.position[begin]);
+    m.velocity += s.mass[i] * s.velocity[i];
+  }
+  m.centre = s.position[begin] + (1 / m.mass) * m.centre;
+  m.velocity *= 1 / m.mass;
+  double angular_momentum = 0;
+  for (int i = begin; i < end; ++i) {
+    const Vec2 r = s.position[i] - m.centre;
+    m.inertia += s.mass[i] * dot(r, r);
+    angular_momentum += s.mass[i] * cross(r, s.velocity[i] - m.velocity);
+  }
+  m.spin = angular_momentum / m.inertia;
+  return m;
+}
+
+}  // namespace
+
+void make_rigid(System<2>& system, int b) {
+  RigidBodies& rigid = system.rigid;
+  const int bodies = system.topology.body_count(system.state.size());
+  if (b < 0 || b >= bodies)
+    throw input_error(fmt::format("body {} cannot be rigid", b), fmt::format("there are {} bodies", bodies));
+  const auto place = std::lower_bound(rigid.body.begin(), rigid.body.end(), b);
+  if (place != rigid.body.end() && *place == b) throw input_error(fmt::format("body {} is rigid already", b));
+  const Motion m = motion_of(system, b);
+  if (!(m.inertia > 0))
+    throw input_error(fmt::format("body {} cannot be rigid", b), "it has no extent or no mass",
+                      "a disc moves as a site");
+
+  const auto r = static_cast<std::size_t>(place - rigid.body.begin());
+  const auto insert = [r](auto& array, const auto& value) {
+    array.insert(array.begin() + static_cast<std::ptrdiff_t>(r), value);
+  };
+  insert(rigid.body, b);
+  insert(rigid.centre, m.centre);
+  insert(rigid.velocity, m.velocity);
+  insert(rigid.angle, 0.0);
+  insert(rigid.spin, m.spin);
+  insert(rigid.mass, m.mass);
+  insert(rigid.inertia, m.inertia);
+  if (rigid.begin.empty()) rigid.begin = {0};
+  std::vector<Vec2> offset;
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+    offset.push_back(system.state.position[i] - m.centre);
+  rigid.offset.insert(rigid.offset.begin() + rigid.begin[r], offset.begin(), offset.end());
+  insert(rigid.begin, rigid.begin[r]);
+  for (std::size_t k = r + 1; k < rigid.begin.size(); ++k) rigid.begin[k] += static_cast<std::int32_t>(offset.size());
+  if (!system.shape.empty()) system.shape.stiffness[static_cast<std::size_t>(b)] = {};
+  place_sites(system);
+}
+
+void place_sites(System<2>& system) {
+  const RigidBodies& rigid = system.rigid;
+  State<2>& s = system.state;
+  for (int r = 0; r < rigid.size(); ++r) {
+    const double c = std::cos(rigid.angle[r]), sine = std::sin(rigid.angle[r]);
+    int i = system.topology.body_begin(rigid.body[r]);
+    for (int k = rigid.begin[r]; k < rigid.begin[r + 1]; ++k, ++i) {
+      const Vec2 o = rigid.offset[k], arm{c * o[0] - sine * o[1], sine * o[0] + c * o[1]};
+      s.position[i] = rigid.centre[r] + arm;
+      s.velocity[i] = rigid.velocity[r] + cross(rigid.spin[r], arm);
+    }
+  }
+}
+
+RigidForce force_on_rigid(const System<2>& system, const std::vector<Vec2>& force, int r) {
+  RigidForce total{};
+  const int b = system.rigid.body[r];
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) {
+    total.force += force[i];
+    total.torque += cross(system.state.position[i] - system.rigid.centre[r], force[i]);
+  }
+  return total;
+}
+
+bool held(const System<2>& system, int r) {
+  const int b = system.rigid.body[r];
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+    if (system.state.mobility[i] != Mobility::free) return true;
+  return false;
+}
+
+double gyration_radius(const RigidBodies& rigid, int r) { return std::sqrt(rigid.inertia[r] / rigid.mass[r]); }
+
+}  // namespace supple
