@@ -14,6 +14,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/io/new_file.hpp"
+#include "supple/io/superscript.hpp"
 
 namespace supple {
 
@@ -192,19 +193,28 @@ void choose_font(cairo_t* c, const TextStyle& style) {
                          style.weight == Weight::bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(c, style.size);
 }
+constexpr double raised_size = 0.68, rise = 0.36;  // of the size of the text
+
+double run_width(cairo_t* c, const TextRun& run, TextStyle style) {
+  if (run.raised) style.size *= raised_size;
+  choose_font(c, style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(c, run.text.c_str(), &extents);
+  return extents.x_advance;
+}
+
 }  // namespace
 
 double Canvas::text_width(const std::string& text, const TextStyle& style) const {
-  choose_font(surface_->context, style);
-  cairo_text_extents_t extents;
-  cairo_text_extents(surface_->context, text.c_str(), &extents);
-  return extents.x_advance;
+  double width = 0;
+  for (const TextRun& run : text_runs(text)) width += run_width(surface_->context, run, style);
+  return width;
 }
 
 void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
   cairo_t* c = surface_->context;
   const double width = text_width(text, style);
-  const double x = style.across == Across::left ? 0 : style.across == Across::right ? -width : -width / 2;
+  double x = style.across == Across::left ? 0 : style.across == Across::right ? -width : -width / 2;
   // By the height of capitals, not by the ink of this word, so that words beside each other share a baseline.
   const double capital = 0.72 * style.size;
   const double y = style.down == Down::top      ? capital
@@ -215,8 +225,12 @@ void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
   cairo_translate(c, at[0], at[1]);
   if (style.turn == Turn::left) cairo_rotate(c, -std::numbers::pi / 2);
   cairo_set_source_rgb(c, style.color.red, style.color.green, style.color.blue);
-  cairo_move_to(c, x, y);
-  cairo_show_text(c, text.c_str());
+  for (const TextRun& run : text_runs(text)) {
+    const double advance = run_width(c, run, style);  // chooses the font
+    cairo_move_to(c, x, run.raised ? y - rise * style.size : y);
+    cairo_show_text(c, run.text.c_str());
+    x += advance;
+  }
   cairo_restore(c);
   cairo_new_path(c);
 }

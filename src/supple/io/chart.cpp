@@ -47,16 +47,9 @@ Interval finite_range(const ChartPanel& panel, std::vector<double> ChartSeries::
 }
 
 Scale make_scale(const ChartAxis& axis, Interval range, int tick_count) {
-  Scale scale{range.first, range.second, 1, axis.label, {}};
-  std::string unit = axis.unit;
-  if (unit == "%") {
-    scale.factor = 0.01;
-  } else if (!unit.empty() && !std::isdigit(static_cast<unsigned char>(unit[0]))) {
-    const Prefix prefix = si_prefix(std::max(std::abs(range.first), std::abs(range.second)));
-    scale.factor = prefix.factor;
-    unit = prefix.symbol + unit;
-  }
-  if (!unit.empty()) scale.title += " (" + unit + ")";
+  const ShownUnit shown = shown_unit(axis.unit, std::max(std::abs(range.first), std::abs(range.second)));
+  Scale scale{range.first, range.second, shown.factor, axis.label, {}};
+  if (!shown.text.empty()) scale.title += " (" + shown.text + ")";
   do scale.ticks = nice_ticks(range.first / scale.factor, range.second / scale.factor, tick_count);
   while (scale.ticks.at.size() < 3 && ++tick_count < 9);  // less than three tell little
   return scale;

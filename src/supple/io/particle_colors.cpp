@@ -26,18 +26,14 @@ double distance(Color a, Color b) {
 
 }  // namespace
 
-std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const CellScene& scene) {
-  if (particle.empty()) return {};
-  const std::size_t count = static_cast<std::size_t>(*std::max_element(particle.begin(), particle.end())) + 1;
-  std::vector<int> discs(count, 0);
-  for (const std::int32_t p : particle) ++discs[p];
-  const auto touching = touching_particles(particle, count, scene);
-
+std::vector<Color> neighbour_colors(const std::vector<std::set<std::int32_t>>& touching,
+                                    const std::vector<bool>& wanted) {
   constexpr int none = -1, colors = static_cast<int>(area_palette.size());
+  const std::size_t count = touching.size();
   std::vector<int> choice(count, none);
   std::array<int, colors> uses{};
   for (std::size_t p = 0; p < count; ++p) {
-    if (discs[p] < 2) continue;
+    if (!wanted[p]) continue;
     std::array<int, colors> clashes{};
     std::array<double, colors> likeness{};  // to the most similar neighbour
     for (const std::int32_t other : touching[p]) {
@@ -54,7 +50,20 @@ std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const Cel
     ++uses[best];
   }
   std::vector<Color> color;
-  for (const std::int32_t p : particle) color.push_back(choice[p] == none ? pale_gray : area_palette[choice[p]]);
+  for (const int c : choice) color.push_back(c == none ? pale_gray : area_palette[c]);
+  return color;
+}
+
+std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const CellScene& scene) {
+  if (particle.empty()) return {};
+  const std::size_t count = static_cast<std::size_t>(*std::max_element(particle.begin(), particle.end())) + 1;
+  std::vector<int> discs(count, 0);
+  for (const std::int32_t p : particle) ++discs[p];
+  std::vector<bool> crosslinked;
+  for (const int d : discs) crosslinked.push_back(d > 1);
+  const std::vector<Color> of_particle = neighbour_colors(touching_particles(particle, count, scene), crosslinked);
+  std::vector<Color> color;
+  for (const std::int32_t p : particle) color.push_back(of_particle[p]);
   return color;
 }
 

@@ -1,6 +1,7 @@
 /// Which colour each crosslinked particle gets.
 #pragma once
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -15,5 +16,10 @@ namespace supple {
 std::vector<Color> disc_colors(std::span<const std::int32_t> particle, const CellScene& scene);
 /// The same for a frame: pictures of one run that shall agree take the colours of one frame.
 std::vector<Color> disc_colors(const RunInfo& info, const Frame& frame);
+
+/// Colours of area_palette for things of which some touch: used evenly, and neighbours differ while the palette allows
+/// it, by as much as it allows. Things that are not `wanted` stay grey.
+std::vector<Color> neighbour_colors(const std::vector<std::set<std::int32_t>>& touching,
+                                    const std::vector<bool>& wanted);
 
 }  // namespace supple

@@ -9,6 +9,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/io/canvas.hpp"
+#include "supple/io/cell_page.hpp"
 #include "supple/io/cell_scene.hpp"
 #include "supple/io/particle_colors.hpp"
 #include "supple/io/ticks.hpp"
@@ -17,9 +18,7 @@ namespace supple {
 
 namespace {
 
-constexpr double page_edge = 10, title_height = 20, foot_height = 26, legend_width = 112;  // [pt]
-constexpr double surroundings = 0.045;  // width of the faded rim, of the cell's longer side
-constexpr double fade = 0.72;           // share of white in it
+constexpr double legend_row = CellPage::legend_row, legend_sample = CellPage::legend_sample;
 
 struct ContactStyle {
   ContactState state;
@@ -38,32 +37,21 @@ bool in_tension(const ContactRow& c) { return c.state == ContactState::permanent
 class SnapshotPage {
  public:
   SnapshotPage(const std::string& path, const RunInfo& info, const Frame& frame, const SnapshotOptions& options)
-      : info_(info), frame_(frame), options_(options), box_(sheared(info.box, frame.strain)),
-        scale_(options.cell_size / std::max(box_.length[0], box_.length[1])), rim_(surroundings * options.cell_size),
-        lean_(std::max(std::abs(drawn_strain(box_)), options.strain_room) *
-              (box_.length[gradient] * scale_ + 2 * rim_)),
-        scene_(lay_out_cell(box_, info.radius, frame, periodic() ? rim_ / scale_ : 0)),
-        color_(options.color.empty() ? disc_colors(info.particle, scene_) : options.color),
-        canvas_(path, 2 * page_edge + 2 * rim_ + lean_ + box_.length[flow] * scale_ + legend_width,
-                std::max(2 * rim_ + box_.length[gradient] * scale_, 190.0) + title_height + foot_height,
-                options.dots_per_inch) {
-    for (int k = 0; k < 4; ++k) corner_[k] = on_page(scene_.corner[k]);
+      : info_(info), frame_(frame), options_(options),
+        page_(path, sheared(info.box, frame.strain), options.cell_size, options.strain_room, options.dots_per_inch),
+        canvas_(page_.canvas()), box_(page_.box()),
+        scene_(lay_out_cell(box_, info.radius, frame, page_.periodic() ? page_.rim() / page_.scale() : 0)),
+        color_(options.color.empty() ? disc_colors(info.particle, scene_) : options.color) {
     const double mean_radius =
         info.radius.empty() ? 0 : std::accumulate(info.radius.begin(), info.radius.end(), 0.0) / info.radius.size();
-    disc_size_ = mean_radius * scale_;
+    disc_size_ = mean_radius * page_.scale();
     outline_ = std::clamp(0.05 * disc_size_, 0.15, 0.9);
     widest_ = std::clamp(0.21 * disc_size_, 0.5, 6.0);
     full_force_ = options.full_force > 0 ? options.full_force : strongest_force(info, frame);
   }
 
   void draw() {
-    if (periodic()) {
-      canvas_.clipped(rim_corners(), ClipTo::inside,
-                      [&] { canvas_.clipped(corner_, ClipTo::outside, [&] { draw_matter(fade, Lies::inside); }); });
-      canvas_.clipped(corner_, ClipTo::inside, [&] { draw_matter(0, Lies::outside); });
-    } else {
-      draw_matter(0, Lies::outside);
-    }
+    page_.draw_matter([&](double whiteness, Lies skipped) { draw_matter(whiteness, skipped); });
     draw_cell_edge();
     draw_title();
     draw_scale_bar();
@@ -72,27 +60,9 @@ class SnapshotPage {
   }
 
  private:
-  bool periodic() const { return box_.periodic[0] || box_.periodic[1]; }
-
-  Point on_page(const Vec2& x) const {
-    return {page_edge + rim_ + 0.5 * lean_ + x[0] * scale_,
-            title_height + rim_ + (box_.length[gradient] - x[1]) * scale_};
-  }
-  std::vector<Point> on_page(const std::vector<Vec2>& points) const {
-    std::vector<Point> out;
-    for (const Vec2& x : points) out.push_back(on_page(x));
-    return out;
-  }
-  /// The cell's corners moved outward by the rim, along the periodic directions.
-  std::array<Point, 4> rim_corners() const {
-    const double out = rim_ / scale_, lean = drawn_strain(box_);
-    const double x = box_.periodic[flow] ? out : 0, y = box_.periodic[gradient] ? out : 0;
-    std::array<Point, 4> corners;
-    for (int k = 0; k < 4; ++k) {
-      const double right = k == 1 || k == 2 ? x : -x, up = k >= 2 ? y : -y;
-      corners[k] = on_page(scene_.corner[k] + Vec2{right + lean * up, up});
-    }
-    return corners;
+  template <class Shape>
+  auto on_page(const Shape& shape) const {
+    return page_.on_page(shape);
   }
 
   /// Discs and contacts, faded to this share of white, but for those that lie where nothing shows.
@@ -179,12 +149,13 @@ class SnapshotPage {
   }
 
   void draw_cell_edge() {
-    canvas_.polygon(corner_, {{}, Pen{ink, 0.8}});
+    const std::array<Point, 4>& corner = page_.corner();
+    canvas_.polygon(corner, {{}, Pen{ink, 0.8}});
     const auto holds = [&](Mobility plate) {
       return std::find(frame_.mobility.begin(), frame_.mobility.end(), plate) != frame_.mobility.end();
     };
-    if (holds(Mobility::lower_plate)) canvas_.line(corner_[0], corner_[1], {ink, 3});
-    if (holds(Mobility::upper_plate)) canvas_.line(corner_[3], corner_[2], {ink, 3});
+    if (holds(Mobility::lower_plate)) canvas_.line(corner[0], corner[1], {ink, 3});
+    if (holds(Mobility::upper_plate)) canvas_.line(corner[3], corner[2], {ink, 3});
   }
 
   void draw_title() {
@@ -195,15 +166,12 @@ class SnapshotPage {
       if (std::abs(drawn_strain(box_) - box_.strain) > 1e-9)
         title += fmt::format("     (drawn at the equivalent {}\u00a0%)", tick_label(100 * drawn_strain(box_), 0.1));
     }
-    canvas_.text({page_edge + rim_, title_height - 3}, title, {.size = 11});
+    page_.draw_title(title);
   }
 
   void draw_scale_bar() {
     const double length = round_below(0.25 * box_.length[flow] * info_.units.length);
-    const double width = length / info_.units.length * scale_;
-    const double y = title_height + 2 * rim_ + box_.length[gradient] * scale_ + 5, x = page_edge + rim_;
-    canvas_.rectangle({x, y}, {x + width, y + 3}, {ink, {}});
-    canvas_.text({x + width + 6, y + 1.5}, with_unit(length, "m", Digits::fewest), {.size = 9, .down = Down::middle});
+    page_.draw_scale_bar(length / info_.units.length, with_unit(length, "m", Digits::fewest));
   }
 
   void draw_legend();
@@ -213,16 +181,13 @@ class SnapshotPage {
   const RunInfo& info_;
   const Frame& frame_;
   const SnapshotOptions& options_;
-  Box<2> box_;
-  double scale_, rim_, lean_;  // [pt per length], [pt], [pt]
+  CellPage page_;
+  Canvas& canvas_;
+  const Box<2>& box_;
   CellScene scene_;
   std::vector<Color> color_;
-  Canvas canvas_;
-  std::array<Point, 4> corner_;
   double disc_size_, outline_, widest_, full_force_;
 };
-
-constexpr double legend_row = 15, legend_sample = 24;  // [pt]
 
 void SnapshotPage::legend_discs(double x, double& y) {
   const auto row = [&](const std::string& name, std::initializer_list<Color> colors, bool hatched) {
@@ -273,8 +238,8 @@ void SnapshotPage::legend_contacts(double x, double& y) {
 }
 
 void SnapshotPage::draw_legend() {
-  const double x = canvas_.width() - legend_width + 2;
-  double y = title_height + rim_ + 6;
+  const double x = page_.legend_left();
+  double y = page_.top() + 6;
   legend_discs(x, y);
   y += 0.5 * legend_row;
   legend_contacts(x, y);

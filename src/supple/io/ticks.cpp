@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+
+#include "supple/io/superscript.hpp"
 
 namespace supple {
 
@@ -55,6 +58,19 @@ Prefix si_prefix(double largest) {
   if (!(size > 0) || !std::isfinite(size)) return {};
   const int thousands = std::clamp(static_cast<int>(std::floor(std::log10(size * (1 + 1e-12)) / 3)), -8, 8);
   return {std::pow(1000.0, thousands), symbols[static_cast<std::size_t>(thousands + 8)]};
+}
+
+ShownUnit shown_unit(const std::string& unit, double largest) {
+  const double size = std::abs(largest);
+  if (unit == "%") return {0.01, unit};
+  if (unit.empty()) {
+    if (!(size > 0) || !std::isfinite(size) || (size >= 1e-2 && size < 1e5)) return {};
+    const int power = static_cast<int>(std::floor(std::log10(size * (1 + 1e-12))));
+    return {std::pow(10.0, power), "10" + superscript(power)};
+  }
+  if (std::isdigit(static_cast<unsigned char>(unit[0]))) return {1, unit};
+  const Prefix prefix = si_prefix(size);
+  return {prefix.factor, prefix.symbol + unit};
 }
 
 std::string with_unit(double value, const std::string& unit, Digits digits) {

@@ -25,6 +25,15 @@ struct Prefix {
 };
 Prefix si_prefix(double largest);
 
+/// How numbers up to |largest| are shown beside an axis: value / factor, and what to write for the unit. A unit gets
+/// its prefix; "%" stands for 0.01; a unit that begins with a digit stays as it is; without a unit very large and very
+/// small numbers get a power of ten.
+struct ShownUnit {
+  double factor = 1;
+  std::string text;
+};
+ShownUnit shown_unit(const std::string& unit, double largest);
+
 /// A value with SI prefix: three digits ("1.20 ms"), or as few as a round number has ("1.2 ms").
 enum class Digits { three, fewest };
 std::string with_unit(double value, const std::string& unit, Digits digits = Digits::three);
