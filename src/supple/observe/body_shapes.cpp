@@ -1,0 +1,143 @@
+#include "supple/observe/body_shapes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "supple/core/error.hpp"
+#include "supple/geometry/hinge.hpp"
+#include "supple/geometry/polygon.hpp"
+
+namespace supple {
+namespace {
+
+void check(const BodyShape& shape, int body, Outline outline) {
+  const auto refuse = [body](const char* why, const char* to_do) {
+    throw input_error(fmt::format("no area for body {}", body), why, to_do);
+  };
+  for (int i = 0; i < shape.size(); ++i) {
+    if (!std::isfinite(shape.ring[i][0]) || !std::isfinite(shape.ring[i][1]))
+      refuse("a position is not finite", "look at the state");
+    if (!(shape.radius[i] >= 0) || std::isinf(shape.radius[i]))
+      refuse("a radius is negative or not finite", "give radii");
+    if (outline == Outline::smooth && shape.radius[i] != shape.radius[0])
+      refuse("its radii differ", "give one radius to a body of smooth outline");
+  }
+  if (shape.is_disc()) return;
+  for (int i = 0; i < shape.size(); ++i)
+    if (shape.ring[i] == shape.ring[shape.next(i)])
+      refuse("two neighbours on its ring are in one place", "move them apart");
+  if (shape.size() < 3) refuse("it has two sites", "give one (a disc) or at least three (a polygon)");
+  if (!(polygon_area(shape.ring) > 0))
+    refuse("its sites run clockwise", "order them counter-clockwise, unwrapped");
+}
+
+Bounds bounds_with_discs(const BodyShape& shape) {
+  Bounds all{shape.ring[0], shape.ring[0]};
+  for (int i = 0; i < shape.size(); ++i) {
+    const Vec2 reach{shape.radius[i], shape.radius[i]};
+    all.include({shape.ring[i] - reach, shape.ring[i] + reach});
+  }
+  return all;
+}
+
+/// Displacement of the copy `across` cells along the flow and `up` cells along the gradient.
+Vec2 lattice_vector(const Box<2>& box, double across, double up) {
+  Vec2 shift;
+  shift[flow] = across * box.length[flow] + up * box.strain * box.length[gradient];
+  shift[gradient] = up * box.length[gradient];
+  return shift;
+}
+
+void bring_into_cell(BodyShape& shape, const Box<2>& box) {
+  const Vec2 middle = 0.5 * (shape.bounds.low + shape.bounds.high);
+  const double up = box.periodic[gradient] ? std::floor(middle[gradient] / box.length[gradient]) : 0;
+  const double along = middle[flow] - lattice_vector(box, 0, up)[flow];
+  const double across = box.periodic[flow] ? std::floor(along / box.length[flow]) : 0;
+  const Vec2 shift = lattice_vector(box, -across, -up);
+  for (Vec2& x : shape.ring) x += shift;
+  shape.bounds = shape.bounds.shifted(shift);
+}
+
+}  // namespace
+
+double BodyShape::distance_to_edge(int k, const Vec2& x) const {
+  return distance_to_segment(x, ring[k], ring[next(k)]);
+}
+
+double BodyShape::turn_at(int i) const {
+  const Vec2 corner[3] = {ring[previous(i)], ring[i], ring[next(i)]};
+  return hinge_angle(corner);
+}
+
+std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
+  for (int d = 0; d < 2; ++d)
+    if (!(system.box.length[d] > 0) || std::isinf(system.box.length[d]))
+      throw input_error(fmt::format("the cell has length {}", system.box.length[d]), "out of range",
+                        "give positive lengths");
+  const State<2>& state = system.state;
+  std::vector<BodyShape> shapes(static_cast<std::size_t>(system.topology.body_count(state.size())));
+  for (int body = 0; body < static_cast<int>(shapes.size()); ++body) {
+    const int first = system.topology.body_begin(body), last = system.topology.body_end(body);
+    if (last <= first)
+      throw input_error(fmt::format("no area for body {}", body), "it has no site", "leave it out");
+    BodyShape& shape = shapes[body];
+    shape.ring.assign(state.position.begin() + first, state.position.begin() + last);
+    shape.radius.assign(state.radius.begin() + first, state.radius.begin() + last);
+    check(shape, body, outline);
+    shape.bounds = bounds_with_discs(shape);
+    bring_into_cell(shape, system.box);
+  }
+  return shapes;
+}
+
+std::vector<BodyImage> images_in(const Bounds& region, std::span<const BodyShape> bodies, const Box<2>& box) {
+  std::vector<BodyImage> images;
+  // Cells by which `low .. high` can be displaced along d so that it meets the region.
+  const auto cells = [&](int d, double low, double high) {
+    if (!box.periodic[d]) return std::pair{0.0, 0.0};
+    return std::pair{std::ceil((region.low[d] - high) / box.length[d]),
+                     std::floor((region.high[d] - low) / box.length[d])};
+  };
+  for (int body = 0; body < static_cast<int>(bodies.size()); ++body) {
+    const Bounds& own = bodies[body].bounds;
+    const auto [lowest, highest] = cells(gradient, own.low[gradient], own.high[gradient]);
+    for (double up = lowest; up <= highest; ++up) {
+      const double sheared = lattice_vector(box, 0, up)[flow];
+      const auto [first, last] = cells(flow, own.low[flow] + sheared, own.high[flow] + sheared);
+      for (double across = first; across <= last; ++across) {
+        const Vec2 shift = lattice_vector(box, across, up);
+        const Bounds bounds = own.shifted(shift);
+        if (bounds.meets(region)) images.push_back({body, shift, bounds});
+      }
+    }
+  }
+  return images;
+}
+
+Bounds bounds_of(std::span<const BodyShape> bodies) {
+  Bounds all = bodies.empty() ? Bounds{} : bodies[0].bounds;
+  for (const BodyShape& body : bodies) all.include(body.bounds);
+  return all;
+}
+
+ImageSearch::ImageSearch(std::span<const BodyShape> bodies, const Box<2>& box)
+    : bodies_(bodies), images_(images_in(bounds_of(bodies), bodies, box)) {
+  std::stable_sort(images_.begin(), images_.end(),
+                   [](const BodyImage& a, const BodyImage& b) { return a.bounds.low[0] < b.bounds.low[0]; });
+  for (const BodyShape& body : bodies) widest_ = std::max(widest_, body.bounds.high[0] - body.bounds.low[0]);
+}
+
+void ImageSearch::find(int body, std::vector<BodyImage>& found) const {
+  const Bounds& bounds = bodies_[body].bounds;
+  found.clear();
+  const double leftmost = bounds.low[0] - 1.001 * widest_;
+  auto image = std::lower_bound(images_.begin(), images_.end(), leftmost,
+                                [](const BodyImage& a, double x) { return a.bounds.low[0] < x; });
+  for (; image != images_.end() && image->bounds.low[0] <= bounds.high[0]; ++image) {
+    const bool itself = image->body == body && image->shift == Vec2{};
+    if (!itself && image->bounds.meets(bounds)) found.push_back(*image);
+  }
+}
+
+}  // namespace supple

@@ -1,0 +1,196 @@
+#include "supple/observe/packing_fraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/geometry/polygon.hpp"
+
+namespace supple {
+namespace {
+
+/// Where a curve of the outline comes from: it cannot be covered by that.
+enum class Source { disc, edge, offset_edge, corner };
+
+struct OutlineCurve {
+  Curve curve;
+  Source source;
+  int site;  ///< the disc, the corner, or the first site of the edge
+  Bounds bounds;
+};
+
+/// An uncovered piece t0 .. t1 of a curve.
+struct Piece {
+  const OutlineCurve* on;
+  double t0, t1;
+};
+
+/// Curves that hold the whole outline of a body, and parts that lie inside it.
+std::vector<OutlineCurve> outline_curves(const BodyShape& body, Outline outline) {
+  std::vector<OutlineCurve> curves;
+  const auto add = [&](const Curve& curve, Source source, int site) {
+    curves.push_back({curve, source, site, curve.bounds()});
+  };
+  for (int i = 0; i < body.size(); ++i) {
+    const Vec2 &x = body.ring[i], edge = body.ring[body.next(i)] - x;
+    const double radius = body.radius[i], length = norm(edge);
+    if (body.is_disc() || outline == Outline::rough) {
+      if (radius > 0) add(Curve::circle(x, radius), Source::disc, i);
+      if (length > 0) add(Curve::segment(x, x + edge), Source::edge, i);
+      continue;
+    }
+    const Vec2 out = (-1 / length) * turned_left(edge);
+    add(Curve::segment(x + radius * out, x + radius * out + edge), Source::offset_edge, i);
+    const double turn = body.turn_at(i);
+    if (radius > 0 && turn > 0)
+      add(Curve::arc(x, radius, std::atan2(out[1], out[0]) - turn, turn), Source::corner, i);
+  }
+  return curves;
+}
+
+/// A body with what is asked of its outline. A point on its outline, to within `tolerance`, is not covered by
+/// it, so that bodies which only touch keep both their outlines.
+class Body {
+ public:
+  Body(const BodyShape& shape, Outline outline, double tolerance)
+      : shape_(shape), outline_(outline), tolerance_(tolerance), curves_(outline_curves(shape, outline)) {}
+
+  const BodyShape& shape() const { return shape_; }
+  const std::vector<OutlineCurve>& curves() const { return curves_; }
+
+  bool covers(const Vec2& x) const { return shape_.bounds.holds(x) && (reached(x, -1, -1) || in_polygon(x)); }
+  /// Whether x, a point of its own curve, lies inside the body.
+  bool covers_own(const Vec2& x, const OutlineCurve& on) const {
+    if (shape_.is_disc()) return false;
+    switch (on.source) {
+      case Source::edge:
+        return reached(x, -1, -1);
+      case Source::corner:
+        return reached(x, shape_.previous(on.site), on.site) || in_polygon(x);
+      default:
+        return reached(x, on.site, on.site) || in_polygon(x);
+    }
+  }
+
+ private:
+  /// Within the radius of a site (rough) or of an edge (smooth), but for those two.
+  bool reached(const Vec2& x, int except, int or_except) const {
+    const bool discs = shape_.is_disc() || outline_ == Outline::rough;
+    for (int k = 0; k < shape_.size(); ++k) {
+      if (k == except || k == or_except) continue;
+      const double distance = discs ? norm(x - shape_.ring[k]) : shape_.distance_to_edge(k, x);
+      if (distance < shape_.radius[k] - tolerance_) return true;
+    }
+    return false;
+  }
+  bool in_polygon(const Vec2& x) const {
+    if (shape_.is_disc() || !encloses(shape_.ring, x)) return false;
+    for (int k = 0; k < shape_.size(); ++k)
+      if (shape_.distance_to_edge(k, x) <= tolerance_) return false;
+    return true;
+  }
+
+  const BodyShape& shape_;
+  Outline outline_;
+  double tolerance_;
+  std::vector<OutlineCurve> curves_;
+};
+
+/// Sorted ends of the pieces between cuts.
+void finish_cuts(std::vector<double>& cuts) {
+  cuts.insert(cuts.end(), {0.0, 1.0});
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+}
+
+/// The outline of one body alone.
+std::vector<Piece> own_outline(const Body& body) {
+  std::vector<Piece> pieces;
+  std::vector<double> cuts;
+  for (const OutlineCurve& a : body.curves()) {
+    cuts.clear();
+    for (const OutlineCurve& b : body.curves())
+      if (&a != &b && a.bounds.meets(b.bounds)) append_crossings(a.curve, b.curve, cuts);
+    finish_cuts(cuts);
+    for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
+      if (!body.covers_own(a.curve.at(0.5 * (cuts[c] + cuts[c + 1])), a))
+        pieces.push_back({&a, cuts[c], cuts[c + 1]});
+  }
+  return pieces;
+}
+
+Curve shifted(Curve curve, const Vec2& by) {
+  curve.from += by;
+  curve.centre += by;
+  return curve;
+}
+
+/// Sums the area of every body b, the integral of 1/(number of bodies that cover a point) over the points of
+/// b. It is the integral over all outlines of the jump of that function: on the outline of b, where n others
+/// cover it, from 1/(n+1) to 0; on the outline of another within b from 1/(n+1) to 1/n.
+class Sharing {
+ public:
+  Sharing(const std::vector<Body>& bodies, std::vector<double>& area) : bodies_(bodies), area_(area) {}
+
+  void add(int body, const Piece& piece, const std::vector<BodyImage>& near) {
+    cuts_.clear();
+    for (const BodyImage& image : near)
+      if (image.bounds.meets(piece.on->bounds)) cut(piece, image);
+    std::erase_if(cuts_, [&](double t) { return t < piece.t0 || t > piece.t1; });
+    cuts_.insert(cuts_.end(), {piece.t0, piece.t1});
+    std::sort(cuts_.begin(), cuts_.end());
+    for (std::size_t c = 0; c + 1 < cuts_.size(); ++c)
+      if (cuts_[c] < cuts_[c + 1]) add_part(body, piece.on->curve, cuts_[c], cuts_[c + 1], near);
+  }
+
+ private:
+  void cut(const Piece& piece, const BodyImage& image) {
+    for (const OutlineCurve& other : bodies_[image.body].curves())
+      if (piece.on->bounds.meets(other.bounds.shifted(image.shift)))
+        append_crossings(piece.on->curve, shifted(other.curve, image.shift), cuts_);
+  }
+
+  void add_part(int body, const Curve& curve, double t0, double t1, const std::vector<BodyImage>& near) {
+    const Vec2 x = curve.at(0.5 * (t0 + t1));
+    covering_.clear();
+    for (const BodyImage& image : near)
+      if (bodies_[image.body].covers(x - image.shift)) covering_.push_back(&image);
+    const double others = static_cast<double>(covering_.size()), inside = 1 / (others + 1);
+    area_[body] += inside * curve.swept_area(middle(body), t0, t1);
+    for (const BodyImage* image : covering_)
+      area_[image->body] +=
+          (inside - 1 / others) * curve.swept_area(middle(image->body) + image->shift, t0, t1);
+  }
+
+  Vec2 middle(int body) const { return bodies_[body].shape().ring[0]; }
+
+  const std::vector<Body>& bodies_;
+  std::vector<double>& area_;
+  std::vector<double> cuts_;
+  std::vector<const BodyImage*> covering_;
+};
+
+}  // namespace
+
+PackingFraction packing_fraction(const System<2>& system, Outline outline) {
+  const std::vector<BodyShape> shapes = body_shapes(system, outline);
+  const ImageSearch search(shapes, system.box);
+  const Bounds all = bounds_of(shapes);
+  const double tolerance = 1e-12 * (norm(all.high - all.low) + norm(system.box.length));
+  std::vector<Body> bodies;
+  bodies.reserve(shapes.size());
+  for (const BodyShape& shape : shapes) bodies.emplace_back(shape, outline, tolerance);
+
+  PackingFraction fraction;
+  fraction.area.resize(bodies.size());
+  Sharing sharing(bodies, fraction.area);
+  std::vector<BodyImage> near;
+  for (int body = 0; body < static_cast<int>(bodies.size()); ++body) {
+    search.find(body, near);
+    for (const Piece& piece : own_outline(bodies[body])) sharing.add(body, piece, near);
+  }
+  for (const double area : fraction.area) fraction.total += area;
+  fraction.total /= system.box.volume();
+  return fraction;
+}
+
+}  // namespace supple
