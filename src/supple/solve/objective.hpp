@@ -16,16 +16,14 @@ class Objective {
  public:
   virtual ~Objective() = default;
   virtual int size() const = 0;
-  /// Energy at x; fills the gradient.
-  virtual double evaluate(std::span<const double> x, std::span<double> gradient) = 0;
+  /// Energy at x; fills the gradient `slope`.
+  virtual double evaluate(std::span<const double> x, std::span<double> slope) = 0;
   /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
   /// contacts come and go; rows may be empty.
   virtual void hessian(std::span<const double> x, SparseMatrix& lower) = 0;
   /// What must become small; the largest |component| of the gradient unless overridden, e.g. by the largest
   /// net force on a site.
-  virtual double residual(std::span<const double> x, std::span<const double> gradient) {
-    return largest(gradient);
-  }
+  virtual double residual(std::span<const double> x, std::span<const double> slope) { return largest(slope); }
   /// Residual at which to stop; it may depend on the state just evaluated (1e-6 of the mean contact force,
   /// say).
   virtual double tolerance() const = 0;
