@@ -7,7 +7,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/io/canvas.hpp"
-#include "supple/io/ticks.hpp"
+#include "supple/io/chart_scale.hpp"
 
 namespace supple {
 
@@ -18,41 +18,20 @@ constexpr double text_size = 8, tick_size = 7, row_height = 11, tick_length = 3;
 constexpr double frame_width = 0.6, resolution = 0.15;
 constexpr Color band_text = gray;
 
-/// The numbers along one axis: shown = SI / factor.
-struct Scale {
-  double low = 0, high = 1, factor = 1;  // low, high in SI
-  std::string title;
-  Ticks ticks;                           // in shown numbers
-
-  double share(double value) const { return (value - low) / (high - low); }
-};
-
 using Interval = std::pair<double, double>;
 
-Interval finite_range(const ChartPanel& panel, std::vector<double> ChartSeries::*values) {
+/// Of what the axis can show; from infinity to -infinity where there is nothing.
+Interval range_of(const ChartPanel& panel, std::vector<double> ChartSeries::*values, const ChartAxis& axis) {
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const ChartSeries& s : panel.series)
     for (std::size_t i = 0; i < (s.*values).size(); ++i) {
       const double value = (s.*values)[i];
       const double error = values == &ChartSeries::y && i < s.error.size() ? s.error[i] : 0;
-      if (!std::isfinite(value) || !std::isfinite(error)) continue;
-      range = {std::min(range.first, value - error), std::max(range.second, value + error)};
+      for (const double end : {value - error, value + error})
+        if (can_show(axis.spacing, value) && can_show(axis.spacing, end))
+          range = {std::min(range.first, end), std::max(range.second, end)};
     }
-  if (range.first > range.second) return {0, 1};
-  if (range.first == range.second) {
-    const double half = range.first == 0 ? 1 : 0.1 * std::abs(range.first);
-    return {range.first - half, range.second + half};
-  }
   return range;
-}
-
-Scale make_scale(const ChartAxis& axis, Interval range, int tick_count) {
-  const ShownUnit shown = shown_unit(axis.unit, std::max(std::abs(range.first), std::abs(range.second)));
-  Scale scale{range.first, range.second, shown.factor, axis.label, {}};
-  if (!shown.text.empty()) scale.title += " (" + shown.text + ")";
-  do scale.ticks = nice_ticks(range.first / scale.factor, range.second / scale.factor, tick_count);
-  while (scale.ticks.at.size() < 3 && ++tick_count < 9);  // less than three tell little
-  return scale;
 }
 
 /// One panel on its place; drawn when the layout of the whole column is known.
@@ -71,21 +50,18 @@ class PlacedPanel {
   void set_place(double top, double bottom) {
     top_ = top;
     bottom_ = bottom;
-    Interval y = panel_.y.range ? *panel_.y.range : finite_range(panel_, &ChartSeries::y);
-    if (!panel_.y.range) {
-      const double span = y.second - y.first, per_point = span / std::max(bottom - top, 1.0);
-      const double names = has_band_names() ? (tick_size + 3) * per_point : 0;
-      y = {y.first - 0.06 * span, y.second + 0.06 * span + names};
-    }
-    y_ = make_scale(panel_.y, y, std::clamp(static_cast<int>((bottom - top) / 28), 2, 6));
+    y_ = scale_of_axis(panel_.y, range_of(panel_, &ChartSeries::y, panel_.y));
+    if (!panel_.y.range)
+      y_.widen(0.06, 0.06 + (has_band_names() ? (tick_size + 3) / std::max(bottom - top, 1.0) : 0));
+    y_.set_ticks(panel_.y, std::clamp(static_cast<int>((bottom - top) / 28), 2, 6));
   }
   double y_label_width() const {
     double widest = 0;
-    for (double tick : y_.ticks.at)
-      widest = std::max(widest, canvas_.text_width(tick_label(tick, y_.ticks.step), {.size = tick_size}));
+    for (const AxisTick& tick : y_.ticks)
+      widest = std::max(widest, canvas_.text_width(tick.label, {.size = tick_size}));
     return widest + tick_length + 2 + 4 + text_size;
   }
-  void set_columns(double left, double right, const Scale& x) {
+  void set_columns(double left, double right, const AxisScale& x) {
     left_ = left;
     right_ = right;
     x_ = x;
@@ -153,24 +129,27 @@ class PlacedPanel {
 
   void draw_bands() {
     for (const ChartBand& b : panel_.bands)
-      canvas_.rectangle({at(b.from, 0)[0], top_}, {at(b.to, 0)[0], bottom_}, {b.color, {}});
+      canvas_.rectangle({at(b.from, y_.low)[0], top_}, {at(b.to, y_.low)[0], bottom_}, {b.color, {}});
   }
   /// Where the name fits its band.
   void name_bands() {
     const TextStyle style{.size = tick_size, .color = band_text, .across = Across::centre, .down = Down::top};
     for (const ChartBand& b : panel_.bands) {
-      const double from = std::max(at(b.from, 0)[0], left_), to = std::min(at(b.to, 0)[0], right_);
+      const double from = std::max(at(b.from, y_.low)[0], left_), to = std::min(at(b.to, y_.low)[0], right_);
       if (canvas_.text_width(b.label, style) + 4 < to - from)
         canvas_.text({0.5 * (from + to), top_ + 3}, b.label, style);
     }
   }
 
+  bool can_show(const ChartSeries& s, std::size_t i) const {
+    return supple::can_show(x_.spacing, s.x[i]) && supple::can_show(y_.spacing, s.y[i]);
+  }
   void draw_series(const ChartSeries& s) {
     const std::size_t n = std::min(s.x.size(), s.y.size());
     for (std::size_t i = 0; i < std::min(n, s.error.size()); ++i) draw_error(s, i);
     if (s.marks == Marks::points) {
       for (std::size_t i = 0; i < n; ++i)
-        if (std::isfinite(s.x[i]) && std::isfinite(s.y[i])) canvas_.circle(at(s.x[i], s.y[i]), s.width, {s.color, {}});
+        if (can_show(s, i)) canvas_.circle(at(s.x[i], s.y[i]), s.width, {s.color, {}});
       return;
     }
     std::vector<Point> points;
@@ -178,29 +157,30 @@ class PlacedPanel {
     canvas_.polyline(thin(points, resolution), {s.color, s.width, s.dash});
   }
   void draw_error(const ChartSeries& s, std::size_t i) {
-    if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i]) || !(s.error[i] > 0)) return;
-    const Point low = at(s.x[i], s.y[i] - s.error[i]), high = at(s.x[i], s.y[i] + s.error[i]);
+    if (!can_show(s, i) || !(s.error[i] > 0)) return;
+    const double least = supple::can_show(y_.spacing, s.y[i] - s.error[i]) ? s.y[i] - s.error[i] : 0.5 * y_.low;
+    const Point low = at(s.x[i], least), high = at(s.x[i], s.y[i] + s.error[i]);
     const Pen pen{s.color, 0.7};
     canvas_.line(low, high, pen);
     for (const Point& end : {low, high}) canvas_.line(end - Point{2, 0}, end + Point{2, 0}, pen);
   }
 
   void draw_y_axis() {
-    for (const double tick : y_.ticks.at) {
-      const double y = at(0, tick * y_.factor)[1];
-      canvas_.line({left_ - tick_length, y}, {left_, y}, {ink, frame_width});
-      canvas_.text({left_ - tick_length - 2, y}, tick_label(tick, y_.ticks.step),
+    for (const AxisTick& tick : y_.ticks) {
+      const double y = at(x_.low, tick.at)[1], length = tick.label.empty() ? 0.5 * tick_length : tick_length;
+      canvas_.line({left_ - length, y}, {left_, y}, {ink, frame_width});
+      canvas_.text({left_ - tick_length - 2, y}, tick.label,
                    {.size = tick_size, .across = Across::right, .down = Down::middle});
     }
     canvas_.text({left_ - y_label_width() + text_size - 2, 0.5 * (top_ + bottom_)}, y_.title,
                  {.size = text_size, .across = Across::centre, .turn = Turn::left});
   }
   void draw_x_axis(bool lowest) {
-    for (const double tick : x_.ticks.at) {
-      const double x = at(tick * x_.factor, 0)[0];
-      canvas_.line({x, bottom_}, {x, bottom_ + tick_length}, {ink, frame_width});
+    for (const AxisTick& tick : x_.ticks) {
+      const double x = at(tick.at, y_.low)[0], length = tick.label.empty() ? 0.5 * tick_length : tick_length;
+      canvas_.line({x, bottom_}, {x, bottom_ + length}, {ink, frame_width});
       if (lowest)
-        canvas_.text({x, bottom_ + tick_length + 2}, tick_label(tick, x_.ticks.step),
+        canvas_.text({x, bottom_ + tick_length + 2}, tick.label,
                      {.size = tick_size, .across = Across::centre, .down = Down::top});
     }
     if (lowest)
@@ -213,21 +193,22 @@ class PlacedPanel {
   std::vector<const ChartSeries*> legend_;
   std::vector<std::vector<const ChartSeries*>> legend_rows_;
   double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
-  Scale x_, y_;
+  AxisScale x_, y_;
 };
 
 constexpr double x_axis_height = tick_length + 2 + tick_size + 4 + text_size;  // [pt]
 
 /// The x axis that the panels of a column share.
-Scale column_scale(const ChartColumn& column, double width) {
+AxisScale column_scale(const ChartColumn& column, double width) {
   const ChartAxis& axis = column.panels.back().x;
-  Interval range = axis.range ? *axis.range : finite_range(column.panels.front(), &ChartSeries::x);
+  Interval range = range_of(column.panels.front(), &ChartSeries::x, axis);
   for (const ChartPanel& panel : column.panels) {
-    if (axis.range || panel.series.empty()) continue;
-    const Interval here = finite_range(panel, &ChartSeries::x);
+    const Interval here = range_of(panel, &ChartSeries::x, axis);
     range = {std::min(range.first, here.first), std::max(range.second, here.second)};
   }
-  return make_scale(axis, range, std::clamp(static_cast<int>(width / 45), 2, 8));
+  AxisScale scale = scale_of_axis(axis, range);
+  scale.set_ticks(axis, std::clamp(static_cast<int>(width / 45), 2, 8));
+  return scale;
 }
 
 void draw_column(Canvas& canvas, const ChartColumn& column, double left, double right) {
@@ -249,7 +230,7 @@ void draw_column(Canvas& canvas, const ChartColumn& column, double left, double 
     labels = std::max(labels, panels[p].y_label_width());
     y += gap;
   }
-  const Scale x = column_scale(column, right - left - labels);
+  const AxisScale x = column_scale(column, right - left - labels);
   for (std::size_t p = 0; p < panels.size(); ++p) {
     panels[p].set_columns(left + labels, right, x);
     panels[p].draw(p + 1 == panels.size());

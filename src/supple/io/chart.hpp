@@ -24,10 +24,15 @@ struct ChartSeries {
   std::vector<double> dash = {};   ///< [pt]; empty: solid
 };
 
-/// Numbers are shown in the unit with an SI prefix; "%": times 100; a unit that begins with a digit takes no prefix.
+/// A logarithmic axis shows what is above 0, in the unit as it is.
+enum class Spacing { linear, logarithmic };
+
+/// Numbers are shown in the unit with an SI prefix; "%": times 100; a unit that begins with a digit takes no prefix;
+/// without a unit, very large and very small numbers are shown with a power of ten.
 struct ChartAxis {
   std::string label, unit;
   std::optional<std::pair<double, double>> range = {};  ///< SI; from the data where not given
+  Spacing spacing = Spacing::linear;
 };
 
 /// A shaded range of x, named at the top of the panel.
