@@ -4,25 +4,51 @@ namespace supple {
 
 namespace {
 
-/// Curvature of U(d) by the branch vector b = sum c_a x_a, whose length is the distance: U'' n n^T + (U'/d) (1 - n n^T). For a vertex on an
-/// edge the distance also turns with the edge; that part is added by the contacts that have edges.
-Mat2 curvature(const ContactRecord<2>& record, const Harmonic& law) {
-  const double stretch = record.multiplicity * law.spring(record.reach);
-  const double turn = -record.multiplicity * law.force(record.distance(), record.reach) / record.distance();
-  Mat2 h;
-  h.add_outer(stretch - turn, record.normal, record.normal);
-  h[0][0] += turn;
-  h[1][1] += turn;
-  return h;
-}
+/// d2U / dx_a dx_b of a record under U(d) [energy/length^2]. The distance d has the gradient c_a n by site a.
+/// With y = sum c_a dx_a, d turns
+///     between two points by     d'' = (y.y - (n.y)^2)/d,
+///     between a point and an edge of length L along t, z the difference of the edge's ends, by     d'' = -2
+///     (t.y)(n.z)/L - d (n.z)^2/L^2.
+class Curvature {
+ public:
+  Curvature(const ContactRecord<2>& record, const Harmonic& law, double edge_length)
+      : record_(record),
+        edge_length_(edge_length),
+        stretch_(record.multiplicity * law.spring(record.reach)),
+        slope_(-record.multiplicity * law.force(record.distance(), record.reach)) {}
+
+  Mat2 block(int a, int b) const {
+    const Vec2 &n = record_.normal, t = turned_left(n);
+    const double both = record_.weight[a] * record_.weight[b];
+    Mat2 h;
+    h.add_outer(stretch_ * both, n, n);
+    if (record_.sites == 2) {
+      h.add_outer(slope_ / record_.distance() * both, t, t);
+      return h;
+    }
+    const double along =
+        -slope_ / edge_length_;  // t from the start of an edge to its end, as n is on the right of it
+    h.add_outer(along * record_.weight[a] * end_[b], t, n);
+    h.add_outer(along * end_[a] * record_.weight[b], n, t);
+    h.add_outer(along * record_.distance() / edge_length_ * end_[a] * end_[b], n, n);
+    return h;
+  }
+
+ private:
+  static constexpr double end_[3] = {0, -1, 1};  ///< z = sum end_a dx_a
+  const ContactRecord<2>& record_;
+  double edge_length_, stretch_, slope_;
+};
 
 }  // namespace
 
 void BodyContacts::add_hessian(const System<2>& system, HessianBlocks<2>& blocks) {
   for (const ContactRecord<2>& record : records(system)) {
-    const Mat2 h = curvature(record, law_);
+    const bool edge = record.sites == 3;
+    const std::vector<Vec2>& x = system.state.position;
+    const Curvature curvature(record, law_, edge ? norm(x[record.site[2]] - x[record.site[1]]) : 0);
     for (int a = 0; a < record.sites; ++a)
-      for (int b = 0; b <= a; ++b) blocks.push_back({record.site[a], record.site[b], record.weight[a] * record.weight[b] * h});
+      for (int b = 0; b <= a; ++b) blocks.push_back({record.site[a], record.site[b], curvature.block(a, b)});
   }
 }
 
@@ -31,7 +57,26 @@ const std::vector<std::int32_t>& BodyContacts::sites_inside() const {
   return none;
 }
 
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law, Evaluation<2>& out) {
+std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+                                   const Harmonic& law) {
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  std::vector<BodyTouch> touches;
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(records.size()); ++k) {
+    const ContactRecord<2>& record = records[k];
+    if (k == 0 || record.touch < 0 || record.touch != records[k - 1].touch) {
+      const int at = record.weight[0] > 0 ? 0 : 1, other = at == 0 ? 1 : 0;
+      touches.push_back({record.site[at], body[record.site[other]], {}, 0, k, 0});
+    }
+    BodyTouch& touch = touches.back();
+    touch.force += record.multiplicity * law.force(record.distance(), record.reach) * record.normal;
+    touch.energy += record.multiplicity * law.energy(record.distance(), record.reach);
+    ++touch.records;
+  }
+  return touches;
+}
+
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+                           Evaluation<2>& out) {
   for (const ContactRecord<2>& record : records) {
     const double distance = record.distance();
     const Vec2 force = record.multiplicity * law.force(distance, record.reach) * record.normal;

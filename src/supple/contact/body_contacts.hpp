@@ -10,8 +10,17 @@
 
 namespace supple {
 
-/// A fast loop, and the general records that it must agree with. The pair table must be up to date (NeighborList::update with
-/// meeting()).
+/// What one site feels from one body: a contact, whatever it is made of.
+struct BodyTouch {
+  std::int32_t site;  ///< the one of positive weight
+  std::int32_t body;  ///< the other one
+  Vec2 force{};       ///< on the site [force]
+  double energy = 0;
+  std::int32_t first_record = 0, records = 0;  ///< those that were summed
+};
+
+/// A fast loop, and the general records that it must agree with. The pair table must be up to date
+/// (NeighborList::update with meeting()).
 class BodyContacts {
  public:
   explicit BodyContacts(const Harmonic& law) : law_(law) {}
@@ -33,7 +42,13 @@ class BodyContacts {
   Harmonic law_;
 };
 
+/// Sums the records of each contact. Rough contacts of vertices and smooth ones of a vertex with a boundary
+/// are one touch each.
+std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+                                   const Harmonic& law);
+
 /// Adds forces, energy.elastic and the virial of records under a law without memory: the reference path.
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law, Evaluation<2>& out);
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+                           Evaluation<2>& out);
 
 }  // namespace supple

@@ -262,6 +262,7 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   std::swap(pairs, old_);
   pairs.width = old_.width;
   pairs.version = old_.version + 1;
+  pairs.skin = skin_;
   pairs.begin.assign(static_cast<std::size_t>(n) + 1, 0);
 
   const CellGrid<Dim> grid(system, radius, skin_, reach_);

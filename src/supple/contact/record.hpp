@@ -30,6 +30,9 @@ struct ContactRecord {
   double gap = 0;         ///< distance less reach; negative: overlap [length]
   /// Factor on the law's energy and force: -1 takes back a corner that two edges counted, 1/2 is the scale of 9.5.
   double multiplicity = 1;
+  /// Records with the same number, one after the other, are one contact: only their sum acts, counts and slides.
+  /// -1: a contact by itself.
+  std::int32_t touch = -1;
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
   std::int32_t up = 0;    ///< cells between the two sides along the gradient
   bool crosses = false;   ///< whether the contact is with a periodic image

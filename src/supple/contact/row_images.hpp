@@ -17,6 +17,8 @@ class RowImages {
   bool update(const System<Dim>& system);
   /// Of each row: index into shifts().
   const std::vector<std::int32_t>& index() const { return index_; }
+  /// Cells to subtract, by direction, that shifts() belongs to.
+  const std::vector<Vec<Dim>>& cells() const { return cells_; }
   /// What to subtract from x_second - x_first, for the box as it is now; the first one is zero.
   const std::vector<Vec<Dim>>& shifts(const Box<Dim>& box);
 

@@ -1,6 +1,7 @@
 /// Pairs of sites that touch, are linked, or may soon touch, with the memory of each contact.
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace supple {
@@ -17,6 +18,8 @@ struct PairTable {
   std::vector<double> history;
   int width = 1;
   std::uint64_t version = 0;  ///< changes whenever rows come or go
+  /// How far pairs without a row were from touching when the table was made [length]; infinite for rows made by hand.
+  double skin = std::numeric_limits<double>::infinity();
 
   int size() const { return static_cast<int>(first.size()); }
   void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); }

@@ -1,0 +1,99 @@
+#include "supple/contact/edge_candidates.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "supple/geometry/closest_point.hpp"
+
+namespace supple {
+
+/// A site and an edge, before duplicates are gone: both ends of an edge may have a row with the site.
+struct EdgeCandidates::Found {
+  std::int32_t site, body, start, image;
+  Vec2 cells;  ///< orders images whatever rows made them known
+
+  auto key() const { return std::tuple(site, body, cells[0], cells[1], start); }
+};
+
+namespace {
+
+/// Neighbours of a vertex on its ring.
+struct Ring {
+  std::int32_t begin, end;
+  std::int32_t after(std::int32_t k) const { return k + 1 < end ? k + 1 : begin; }
+  std::int32_t before(std::int32_t k) const { return k > begin ? k - 1 : end - 1; }
+  bool is_disc() const { return end - begin < 3; }
+};
+
+Ring ring_of(const Topology<2>& topology, std::int32_t body) {
+  return {topology.body_begin(body), topology.body_end(body)};
+}
+
+}  // namespace
+
+void EdgeCandidates::update(const System<2>& system) {
+  if (!images_.update(system)) return;
+  std::vector<Found> found;
+  collect(system, found);
+  arrange(system, found);
+}
+
+const std::vector<Vec2>& EdgeCandidates::shifts(const Box<2>& box) {
+  // Image m of a row is subtracted from second - first: the first site is shifted by +m, the second by -m.
+  const std::vector<Vec2>& of_rows = images_.shifts(box);
+  shifts_ = of_rows;
+  for (const Vec2& shift : of_rows) shifts_.push_back(-shift);
+  return shifts_;
+}
+
+void EdgeCandidates::collect(const System<2>& system, std::vector<Found>& found) {
+  const State<2>& state = system.state;
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, state.size());
+  const std::vector<Vec2>& shift = shifts(system.box);
+  const auto images = static_cast<std::int32_t>(images_.cells().size());
+  disc_rows_.clear();
+
+  const auto consider = [&](std::int32_t site, std::int32_t vertex, std::int32_t image) {
+    const Ring ring = ring_of(system.topology, body[vertex]);
+    if (ring.is_disc()) return;
+    const Vec2 cells = image < images ? images_.cells()[image] : -images_.cells()[image - images];
+    const double reach = state.radius[site] + state.radius[vertex] + system.pairs.skin;
+    for (const std::int32_t start : {ring.before(vertex), vertex}) {
+      const Vec2 from = closest_on_segment(state.position[site] + shift[image], state.position[start],
+                                           state.position[ring.after(start)])
+                            .from;
+      if (dot(from, from) < reach * reach) found.push_back({site, body[vertex], start, image, cells});
+    }
+  };
+
+  for (std::int32_t row = 0; row < system.pairs.size(); ++row) {
+    const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row],
+                       image = images_.index()[row];
+    if (ring_of(system.topology, body[i]).is_disc() && ring_of(system.topology, body[j]).is_disc())
+      disc_rows_.push_back(row);
+    consider(i, j, image);
+    consider(j, i, image + images);
+  }
+}
+
+void EdgeCandidates::arrange(const System<2>& system, std::vector<Found>& found) {
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.key() < b.key(); });
+  const auto same = [](const Found& a, const Found& b) { return a.key() == b.key(); };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  all_.clear();
+  group_begin_.assign(1, 0);
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Found& f = found[k];
+    const Ring ring = ring_of(system.topology, f.body);
+    const bool from_disc = ring_of(system.topology, body[f.site]).is_disc();
+    all_.push_back(
+        {f.site, ring.before(f.start), f.start, ring.after(f.start), f.image, from_disc ? 1.0 : 0.5});
+    const bool last = k + 1 == found.size() ||
+                      std::tie(found[k + 1].site, found[k + 1].body) != std::tie(f.site, f.body) ||
+                      !(found[k + 1].cells == f.cells);
+    if (last) group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
+  }
+}
+
+}  // namespace supple

@@ -1,0 +1,50 @@
+/// Which vertices may soon touch which edges of other bodies.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "supple/contact/row_images.hpp"
+
+namespace supple {
+
+/// A site that may touch an edge of a body, or the corner where that edge starts.
+struct EdgeCandidate {
+  std::int32_t site;
+  std::int32_t before, start, end;  ///< the corner at the start of the edge: vertices of the ring
+  std::int32_t image;               ///< of EdgeCandidates::shifts()
+  double scale;                     ///< factor on energy and force
+};
+
+/// Derived from the rows of a pair table made with Meeting::facets whenever they change. Candidates are in
+/// the order (site, body, image, edge), which is that of sums; those with the same site, body and image form
+/// a group. Bodies of one site have no edges, and their pairs keep their rows.
+class EdgeCandidates {
+ public:
+  /// Finds the candidates again if the rows have changed.
+  void update(const System<2>& system);
+
+  const std::vector<EdgeCandidate>& all() const { return all_; }
+  /// Group g: candidates [group_begin()[g], group_begin()[g+1]).
+  const std::vector<std::int32_t>& group_begin() const { return group_begin_; }
+  /// What to add to the site's position before it is compared with the edge, for the box as it is now.
+  const std::vector<Vec2>& shifts(const Box<2>& box);
+  /// Whether that image is the one of no shift.
+  bool is_home(std::int32_t image) const {
+    return image % static_cast<std::int32_t>(images_.cells().size()) == 0;
+  }
+  /// Rows of two bodies of one site each, and their images (RowImages).
+  const std::vector<std::int32_t>& disc_rows() const { return disc_rows_; }
+  RowImages<2>& images() { return images_; }
+
+ private:
+  struct Found;
+  void collect(const System<2>& system, std::vector<Found>& found);
+  void arrange(const System<2>& system, std::vector<Found>& found);
+
+  RowImages<2> images_;
+  std::vector<EdgeCandidate> all_;
+  std::vector<std::int32_t> group_begin_{0}, disc_rows_;
+  std::vector<Vec2> shifts_;
+};
+
+}  // namespace supple
