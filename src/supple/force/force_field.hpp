@@ -55,6 +55,7 @@ class ForceField {
   void invalidate() { neighbors_.invalidate(); }
   void set_repulsive_plates(bool repulsive) { repulsive_plates_ = repulsive; }
   void set_walls(const WallLaw& walls) { walls_ = walls; }
+  const std::optional<WallLaw>& walls() const { return walls_; }
   TermSet<2>& terms() { return terms_; }
   ExternalForces<2>& external() { return external_; }
   DiscContacts& contacts() { return contacts_; }
