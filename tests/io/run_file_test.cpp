@@ -1,12 +1,11 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
-#include <cstring>
 #include <sys/wait.h>
 
 #include "supple/io/file_recorder.hpp"
 #include "supple/io/run_file.hpp"
-#include "supple/io/system_archive.hpp"
+#include "tests/io/same_system.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
 
@@ -15,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace supple::testing;
+using supple::testing::expect_same;  // beside that of frames
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -39,11 +39,6 @@ class RunFileTest : public TemporaryFolder {
   }
 };
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
 void expect_same(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.step, b.step);
   EXPECT_EQ(a.time, b.time);
@@ -62,35 +57,6 @@ void expect_same(const Frame& a, const Frame& b) {
     EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force, x.tangential_force),
               std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force, y.tangential_force));
   }
-}
-
-template <int Dim>
-void expect_same(const System<Dim>& a, const System<Dim>& b) {
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.lag, b.lag);
-  EXPECT_EQ(a.step, b.step);
-  EXPECT_EQ(a.box.length, b.box.length);
-  EXPECT_EQ(a.box.periodic, b.box.periodic);
-  EXPECT_EQ(a.box.strain, b.box.strain);
-  EXPECT_EQ(a.box.strain_rate, b.box.strain_rate);
-  EXPECT_EQ(a.state.position, b.state.position);
-  EXPECT_EQ(a.state.velocity, b.state.velocity);
-  EXPECT_TRUE(same_bits(a.state.mass, b.state.mass));
-  EXPECT_TRUE(same_bits(a.state.radius, b.state.radius));
-  EXPECT_TRUE(same_bits(a.state.angle, b.state.angle));
-  EXPECT_TRUE(same_bits(a.state.spin, b.state.spin));
-  EXPECT_TRUE(same_bits(a.state.inertia, b.state.inertia));
-  EXPECT_EQ(a.state.mobility, b.state.mobility);
-  EXPECT_EQ(a.topology.begin, b.topology.begin);
-  EXPECT_EQ(a.topology.facet, b.topology.facet);
-  EXPECT_EQ(a.topology.hinge, b.topology.hinge);
-  EXPECT_EQ(a.topology.bond, b.topology.bond);
-  EXPECT_EQ(a.pairs.begin, b.pairs.begin);
-  EXPECT_EQ(a.pairs.first, b.pairs.first);
-  EXPECT_EQ(a.pairs.second, b.pairs.second);
-  EXPECT_EQ(a.pairs.state, b.pairs.state);
-  EXPECT_EQ(a.pairs.width, b.pairs.width);
-  EXPECT_TRUE(same_bits(a.pairs.history, b.pairs.history));
 }
 
 /// Everything that record_sample wrote, up to `seen` steps.
@@ -262,19 +228,6 @@ TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
   EXPECT_THAT(file_error_of([&] { run.columns("strain"); }), HasSubstr("stress"));
   EXPECT_THAT(file_error_of([&] { run.frame(steps); }), HasSubstr("no frame 23"));
   EXPECT_THAT(file_error_of([&] { run.value("results", "G"); }), HasSubstr("no number 'G'"));
-}
-
-TEST_F(RunFileTest, ASystemInThreeDimensionsComesBack) {
-  System<3> system;
-  system.box.length = {1, 2, 3};
-  system.state.resize(2);
-  system.state.position = {{1, 2, 3}, {4, 5, 6}};
-  system.topology.facet = {{0, 1, 0}};
-  system.topology.hinge = {{0, 1, 0, 1}};
-  h5::Group root = h5::create_file(in_folder("a.h5"));
-  write_system(root, system);
-  expect_same(read_system<3>(root), system);
-  EXPECT_THAT(file_error_of([&] { read_system<2>(root); }), HasSubstr("dimension"));
 }
 
 /// What a Python user sees, without Supple.

@@ -66,8 +66,15 @@ inline System<2> sample_system(int discs) {
     system.state.mobility[s] = static_cast<Mobility>(i % 4);
   }
   system.topology.begin = {0, 2, discs};
+  system.topology.facet_begin = {0, 2, 2};
+  system.topology.hinge_begin = {0, 0, 1};
   system.topology.facet = {{0, 1}, {1, 0}};
-  system.topology.hinge = {{0, 1, 2}};
+  system.topology.hinge = {{2, 3, 4}};
+  system.shape.stiffness = {{1 / 3., 2 / 3., 1 / 7., 2 / 7.}, {1e-310, -0.0, 5, 6}};
+  system.shape.rest_volume = {3 / 7., 4 / 7.};
+  system.shape.rest_facet = {5 / 7., 6 / 7.};
+  system.shape.rest_hinge = {-1 / 7.};
+  for (int i = 0; i < discs; ++i) system.floor_contact.push_back(i % 2 ? i / 29. : std::nan(""));
   PairTable& pairs = system.pairs;
   pairs.width = 2;
   pairs.begin.push_back(0);
@@ -89,6 +96,8 @@ inline Evaluation<2> sample_evaluation(int discs) {
     evaluation.torque.push_back(i / 7.);
   }
   evaluation.energy.elastic = 1 / 3.;
+  evaluation.energy.wall = 1 / 11.;
+  evaluation.energy.external = -1 / 13.;
   evaluation.energy.sliding_power = 1 / 7.;
   evaluation.virial = {{{1, 2}, {3, 4}}};
   return evaluation;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "supple/core/error.hpp"
 #include "supple/io/array_views.hpp"
+#include "supple/io/body_archive.hpp"
 
 namespace supple {
 namespace {
@@ -35,13 +35,11 @@ void for_each_energy(Parts& parts, Visit&& visit) {
   visit("terms", parts.terms);
   visit("elastic", parts.elastic);
   visit("tangential", parts.tangential);
+  visit("wall", parts.wall);
+  visit("external", parts.external);
   visit("viscous_power", parts.viscous_power);
   visit("tangential_viscous_power", parts.tangential_viscous_power);
   visit("sliding_power", parts.sliding_power);
-}
-
-void expect(bool good, const h5::Group& group, const std::string& what) {
-  if (!good) throw file_error("cannot use the state in " + group.where(), what, "the file is damaged");
 }
 
 void write_pairs(h5::Group group, const PairTable& pairs) {
@@ -65,16 +63,16 @@ PairTable read_pairs(const h5::Group& group, int sites) {
   pairs.history = group.read<double>("history");
 
   const auto rows = static_cast<std::size_t>(pairs.size());
-  expect(pairs.second.size() == rows && states.size() == rows && pairs.width >= 0 &&
-             pairs.history.size() == rows * static_cast<std::size_t>(pairs.width),
-         group, "columns of the pairs differ in length");
-  expect(pairs.begin.empty() ? rows == 0
+  expect_state(pairs.second.size() == rows && states.size() == rows && pairs.width >= 0 &&
+                   pairs.history.size() == rows * static_cast<std::size_t>(pairs.width),
+               group, "columns of the pairs differ in length");
+  expect_state(pairs.begin.empty() ? rows == 0
                              : static_cast<int>(pairs.begin.size()) == sites + 1 && pairs.begin.front() == 0 &&
                                    pairs.begin.back() == pairs.size() &&
                                    std::is_sorted(pairs.begin.begin(), pairs.begin.end()),
          group, "pairs and sites disagree");
   for (std::size_t r = 0; r < rows; ++r)
-    expect(0 <= pairs.first[r] && pairs.first[r] < pairs.second[r] && pairs.second[r] < sites && states[r] <= 3,
+    expect_state(0 <= pairs.first[r] && pairs.first[r] < pairs.second[r] && pairs.second[r] < sites && states[r] <= 3,
            group, "a pair of sites that do not exist, or in no known state");
   return pairs;
 }
@@ -95,7 +93,7 @@ Box<Dim> read_box(const h5::Group& group) {
   Box<Dim> box;
   const auto length = group.read<double>("length");
   const auto periodic = group.read<std::uint8_t>("periodic");
-  expect(length.size() == Dim && periodic.size() == Dim, group, "its box has another dimension");
+  expect_state(length.size() == Dim && periodic.size() == Dim, group, "its box has another dimension");
   for (std::size_t d = 0; d < Dim; ++d) {
     box.length[static_cast<int>(d)] = length[d];
     box.periodic[d] = periodic[d] != 0;
@@ -121,13 +119,12 @@ void write_system(h5::Group& group, const System<Dim>& system) {
   for_each_array(state, [&](const char* name, const auto& values) { sites_group.write(name, values); });
   write_angular<Dim>(sites_group, "spin", state.spin);
   sites_group.write("mobility", codes(state.mobility)).set("values", "0 free, 1 lower plate, 2 upper plate, 3 fixed");
+  if (!system.floor_contact.empty())
+    sites_group.write("floor_contact", system.floor_contact)
+        .set("meaning", "where a site sticks to the floor; nan: nowhere");
 
-  h5::Group topology = group.create_group("topology");
-  const Topology<Dim>& t = system.topology;
-  topology.write("begin", t.begin);
-  topology.write("facet", flat(t.facet), {t.facet.size(), Dim});
-  topology.write("hinge", flat(t.hinge), {t.hinge.size(), Dim + 1});
-  topology.write("bond", flat(t.bond), {t.bond.size(), 2});
+  write_topology(group.create_group("topology"), system.topology);
+  if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape);
   write_pairs(group.create_group("pairs"), system.pairs);
 }
 
@@ -146,18 +143,19 @@ System<Dim> read_system(const h5::Group& group) {
   state.mobility = enums_from<Mobility>(sites.read<std::uint8_t>("mobility"));
   const std::size_t n = state.position.size();
   state.spin = read_angular<Dim>(sites, "spin");
-  expect(state.velocity.size() == n && state.mobility.size() == n && state.spin.size() == n, sites,
+  expect_state(state.velocity.size() == n && state.mobility.size() == n && state.spin.size() == n, sites,
          "arrays of the sites differ in length");
   for_each_array(state, [&](const char* name, std::vector<double>& values) {
     values = sites.read<double>(name);
-    expect(values.size() == n, sites, "arrays of the sites differ in length");
+    expect_state(values.size() == n, sites, "arrays of the sites differ in length");
   });
 
-  const h5::Group topology = group.open_group("topology");
-  system.topology.begin = topology.read<std::int32_t>("begin");
-  system.topology.facet = tuples_from<Dim>(topology.read<std::int32_t>("facet"));
-  system.topology.hinge = tuples_from<Dim + 1>(topology.read<std::int32_t>("hinge"));
-  system.topology.bond = tuples_from<2>(topology.read<std::int32_t>("bond"));
+  if (sites.has("floor_contact")) system.floor_contact = sites.read<double>("floor_contact");
+  expect_state(system.floor_contact.empty() || system.floor_contact.size() == n, sites,
+               "arrays of the sites differ in length");
+
+  system.topology = read_topology<Dim>(group.open_group("topology"), state.size());
+  if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
   system.pairs = read_pairs(group.open_group("pairs"), state.size());
   return system;
 }
@@ -177,10 +175,12 @@ Evaluation<Dim> read_evaluation(const h5::Group& group) {
   evaluation.force = vectors_from<Dim>(group.read<double>("force"));
   evaluation.torque = read_angular<Dim>(group, "torque");
   const auto virial = group.read<double>("virial");
-  expect(virial.size() == Dim * Dim, group, "its virial has another dimension");
+  expect_state(virial.size() == Dim * Dim, group, "its virial has another dimension");
   std::copy(virial.begin(), virial.end(), &evaluation.virial.e[0][0]);
   const h5::Group energy = group.open_group("energy");
-  for_each_energy(evaluation.energy, [&](const char* name, double& value) { value = energy.read_scalar<double>(name); });
+  for_each_energy(evaluation.energy, [&](const char* name, double& value) {
+    if (energy.has(name)) value = energy.read_scalar<double>(name);  // older files have fewer
+  });
   return evaluation;
 }
 

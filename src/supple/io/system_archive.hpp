@@ -11,10 +11,11 @@ void write_box(h5::Group& group, const Box<Dim>& box);
 template <int Dim>
 Box<Dim> read_box(const h5::Group& group);
 
-/// Box, sites, topology, pairs with their memory, time and step.
+/// Box, sites, topology, preferred shapes, pairs with their memory, time and step. What only some systems have (shape,
+/// floor_contact) is left out where it is empty.
 template <int Dim>
 void write_system(h5::Group& group, const System<Dim>& system);
-/// Throws a file error where arrays are missing or their lengths disagree.
+/// Throws a file error where arrays are missing or do not fit together.
 template <int Dim>
 System<Dim> read_system(const h5::Group& group);
 

@@ -1,0 +1,53 @@
+/// Whether two systems are the same, bit for bit.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "supple/model/system.hpp"
+
+namespace supple::testing {
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+template <int Dim>
+void expect_same(const System<Dim>& a, const System<Dim>& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.lag, b.lag);
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.box.length, b.box.length);
+  EXPECT_EQ(a.box.periodic, b.box.periodic);
+  EXPECT_EQ(a.box.strain, b.box.strain);
+  EXPECT_EQ(a.box.strain_rate, b.box.strain_rate);
+  EXPECT_TRUE(same_bits(a.state.position, b.state.position));
+  EXPECT_TRUE(same_bits(a.state.velocity, b.state.velocity));
+  EXPECT_TRUE(same_bits(a.state.mass, b.state.mass));
+  EXPECT_TRUE(same_bits(a.state.radius, b.state.radius));
+  EXPECT_TRUE(same_bits(a.state.angle, b.state.angle));
+  EXPECT_TRUE(same_bits(a.state.spin, b.state.spin));
+  EXPECT_TRUE(same_bits(a.state.inertia, b.state.inertia));
+  EXPECT_EQ(a.state.mobility, b.state.mobility);
+  EXPECT_EQ(a.topology.begin, b.topology.begin);
+  EXPECT_EQ(a.topology.facet_begin, b.topology.facet_begin);
+  EXPECT_EQ(a.topology.hinge_begin, b.topology.hinge_begin);
+  EXPECT_EQ(a.topology.facet, b.topology.facet);
+  EXPECT_EQ(a.topology.hinge, b.topology.hinge);
+  EXPECT_EQ(a.topology.bond, b.topology.bond);
+  EXPECT_TRUE(same_bits(a.shape.stiffness, b.shape.stiffness));
+  EXPECT_TRUE(same_bits(a.shape.rest_volume, b.shape.rest_volume));
+  EXPECT_TRUE(same_bits(a.shape.rest_facet, b.shape.rest_facet));
+  EXPECT_TRUE(same_bits(a.shape.rest_hinge, b.shape.rest_hinge));
+  EXPECT_TRUE(same_bits(a.floor_contact, b.floor_contact));
+  EXPECT_EQ(a.pairs.begin, b.pairs.begin);
+  EXPECT_EQ(a.pairs.first, b.pairs.first);
+  EXPECT_EQ(a.pairs.second, b.pairs.second);
+  EXPECT_EQ(a.pairs.state, b.pairs.state);
+  EXPECT_EQ(a.pairs.width, b.pairs.width);
+  EXPECT_TRUE(same_bits(a.pairs.history, b.pairs.history));
+}
+
+}  // namespace supple::testing

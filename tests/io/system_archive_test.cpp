@@ -1,0 +1,137 @@
+/// States in files: bit for bit, of bodies in two and three dimensions; damage is refused, older files are read.
+#include "supple/io/system_archive.hpp"
+
+#include <gmock/gmock.h>
+
+#include "supple/io/body_archive.hpp"
+
+#include "tests/io/same_system.hpp"
+#include "tests/io/sample_run.hpp"
+#include "tests/io/temporary_folder.hpp"
+#include "tests/support/polygons.hpp"
+
+namespace supple {
+namespace {
+
+using namespace supple::testing;
+using ::testing::HasSubstr;
+
+/// A tetrahedron and a body of one site.
+System<3> sample_system_3d() {
+  System<3> system;
+  system.box.length = {1, 2, 3};
+  system.state.resize(5);
+  system.state.position = {{1 / 3., 2, 3}, {4, 5 / 7., 6}, {7, 8, 9 / 11.}, {-0.0, 1e-310, 3}, {1, 1, 1}};
+  system.state.spin[3] = {1 / 3., 1 / 7., 1 / 9.};
+  system.topology.begin = {0, 4, 5};
+  system.topology.facet = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  system.topology.facet_begin = {0, 4, 4};
+  system.topology.hinge = {{0, 1, 2, 3}, {1, 2, 3, 0}};
+  system.topology.hinge_begin = {0, 2, 2};
+  system.topology.bond = {{0, 4}};
+  system.shape.stiffness = {{1 / 3., 1 / 7., 1 / 11., 1 / 13.}, {}};
+  system.shape.rest_volume = {1 / 6., 0};
+  system.shape.rest_facet = {1 / 2., 1 / 3., 1 / 5., 1 / 7.};
+  system.shape.rest_hinge = {1 / 9., -1 / 9.};
+  return system;
+}
+
+class SystemArchive : public TemporaryFolder {
+ protected:
+  template <int Dim>
+  h5::Group written(const System<Dim>& system) const {
+    h5::Group root = h5::create_file(in_folder("state.h5"));
+    write_system(root, system);
+    return root;
+  }
+  /// The error of reading a state of polygons that `damage` has changed.
+  template <class Damage>
+  std::string error_after(Damage&& damage) const {
+    System<2> system = random_polygons();
+    damage(system);
+    return file_error_of([&] { read_system<2>(written(system)); });
+  }
+};
+
+TEST_F(SystemArchive, BodiesComeBackBitForBit) {
+  System<2> polygons = random_polygons();
+  add_disc_body(polygons, {1, 2}, 1 / 3.);
+  polygons.floor_contact.assign(static_cast<std::size_t>(polygons.state.size()), std::nan(""));
+  polygons.floor_contact[3] = 1 / 3.;
+  expect_same(read_system<2>(written(polygons)), polygons);
+  expect_same(read_system<2>(written(sample_system(5))), sample_system(5));
+  expect_same(read_system<3>(written(sample_system_3d())), sample_system_3d());
+}
+
+TEST_F(SystemArchive, DiscsHaveNoShapeAndNoFloor) {
+  System<2> discs = sample_system(4);
+  discs.topology = {};
+  discs.shape = {};
+  discs.floor_contact.clear();
+  const h5::Group root = written(discs);
+  EXPECT_FALSE(root.has("shape"));
+  EXPECT_FALSE(root.has("sites/floor_contact"));
+  expect_same(read_system<2>(root), discs);
+}
+
+TEST_F(SystemArchive, FilesOfOlderVersionsOpen) {
+  System<2> system = sample_system(5);
+  system.topology.facet_begin.clear();
+  system.topology.hinge_begin.clear();
+  system.shape = {};
+  system.floor_contact.clear();
+  h5::Group root = written(system);
+  h5::Group topology = root.open_group("topology");
+  topology.remove("facet_begin");
+  topology.remove("hinge_begin");
+  expect_same(read_system<2>(root), system);
+
+  h5::Group group = root.create_group("evaluation");
+  write_evaluation(group, sample_evaluation(5));
+  EXPECT_EQ(read_evaluation<2>(group).energy.wall, 1 / 11.);
+  EXPECT_EQ(read_evaluation<2>(group).energy.external, -1 / 13.);
+  h5::Group energy = group.open_group("energy");
+  energy.remove("wall");
+  energy.remove("external");
+  const Evaluation<2> old = read_evaluation<2>(group);
+  EXPECT_EQ(old.energy.wall, 0);
+  EXPECT_EQ(old.energy.external, 0);
+  EXPECT_EQ(old.energy.elastic, 1 / 3.);
+}
+
+TEST_F(SystemArchive, DamageIsRefused) {
+  using S = System<2>;
+  const std::string why = error_after([](S& s) { s.topology.facet_begin.back() += 1; });
+  EXPECT_THAT(why, HasSubstr("state.h5:/topology"));
+  EXPECT_THAT(why, HasSubstr("facets and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.begin.back() -= 1; }), HasSubstr("do not cover the sites"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.begin[1] = s.topology.begin[2]; }),
+              HasSubstr("do not cover the sites"));
+  EXPECT_THAT(error_after([](S& s) {
+                s.topology.begin.pop_back();
+                s.topology.begin.back() = s.state.size();
+              }),
+              HasSubstr("differ in number"));
+  EXPECT_THAT(error_after([](S& s) { std::swap(s.topology.hinge_begin[1], s.topology.hinge_begin[2]); }),
+              HasSubstr("hinges and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.facet[3][1] = s.state.size(); }), HasSubstr("does not exist"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.hinge[3][1] = -1; }), HasSubstr("does not exist"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.facet[3][1] = s.state.size() - 1; }),
+              HasSubstr("facets and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.hinge[3][1] = s.state.size() - 1; }),
+              HasSubstr("hinges and bodies disagree"));
+  for (auto part : {&Shape::rest_volume, &Shape::rest_facet, &Shape::rest_hinge})
+    EXPECT_THAT(error_after([&](S& s) { (s.shape.*part).pop_back(); }), HasSubstr("shapes and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }), HasSubstr("shapes and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.hinge_begin.clear(); }), HasSubstr("no boundary"));
+  EXPECT_THAT(error_after([](S& s) { s.floor_contact = {1}; }), HasSubstr("differ in length"));
+}
+
+TEST_F(SystemArchive, AnotherDimensionIsRefused) {
+  const h5::Group root = written(sample_system_3d());
+  EXPECT_THAT(file_error_of([&] { read_system<2>(root); }), HasSubstr("dimension"));
+  EXPECT_THAT(file_error_of([&] { read_topology<2>(root.open_group("topology"), 5); }), HasSubstr("dimension"));
+}
+
+}  // namespace
+}  // namespace supple
