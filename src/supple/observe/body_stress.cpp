@@ -1,0 +1,106 @@
+#include "supple/observe/body_stress.hpp"
+
+#include <algorithm>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+namespace {
+
+/// Sites on the two sides of a contact: one of each.
+struct Sides {
+  std::int32_t negative = -1, positive = -1;
+
+  explicit Sides(const ContactRecord<2>& record) {
+    for (int k = 0; k < record.sites; ++k) {
+      if (record.weight[k] > 0) positive = record.site[k];
+      if (record.weight[k] < 0) negative = record.site[k];
+    }
+  }
+};
+
+/// Part h/r of the contact's line that lies within the body of radius `own`: up to the chord where the circles cross.
+double share_of(double own, double other, double distance) {
+  if (!(distance > 0)) return 0.5;
+  return std::clamp(0.5 + 0.5 * (own - other) * (own + other) / (distance * distance), 0.0, 1.0);
+}
+
+Mat2 kinetic_moment(const System<2>& system) {
+  Mat2 sum;
+  const State<2>& s = system.state;
+  for (int i = 0; i < s.size(); ++i) {
+    const Vec2 u = s.velocity[i] - system.box.flow_velocity(s.position[i]);
+    sum.add_outer(s.mass[i], u, u);
+  }
+  return sum;
+}
+
+/// Sum F r^T over the sites of body b. The forces of a body sum to zero, so that r may be from any point; a near one
+/// loses no digits.
+Mat2 shape_moment(const System<2>& system, std::span<const Vec2> force, int b) {
+  Mat2 moment;
+  const std::int32_t first = system.topology.body_begin(b);
+  for (std::int32_t i = first + 1; i < system.topology.body_end(b); ++i)
+    moment.add_outer(1, force[i], system.state.position[i] - system.state.position[first]);
+  return moment;
+}
+
+/// A wall moves with the cell: its force acts over the distance to it. Friction of the floor is along it and does not.
+Mat2 wall_moment(const System<2>& system, const SiteForce<2>& wall) {
+  const int d = wall.force[gradient] != 0 ? gradient : flow;
+  const double x = system.state.position[wall.site][d];
+  Mat2 moment;
+  moment[d][d] = wall.force[d] > 0 ? wall.force[d] * x : -wall.force[d] * (system.box.length[d] - x);
+  return moment;
+}
+
+}  // namespace
+
+std::vector<Mat2> BodyStresses::of_bodies(std::span<const double> area) const {
+  if (area.size() != moment.size()) throw input_error("areas and bodies differ in number", "each body has one");
+  std::vector<Mat2> stress = moment;
+  for (std::size_t b = 0; b < stress.size(); ++b) stress[b] *= 1 / area[b];
+  return stress;
+}
+
+BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_force,
+                           const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+                           std::span<const SiteForce<2>> wall) {
+  const State<2>& state = system.state;
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, state.size());
+  BodyStresses s;
+  s.kinetic = kinetic_moment(system);
+  for (int b = 0; b < system.topology.body_count(state.size()); ++b) {
+    s.moment.push_back(shape_moment(system, shape_force, b));
+    s.shape += s.moment.back();
+  }
+  for (const ContactRecord<2>& record : records) {
+    const Sides sides(record);
+    const double distance = record.distance(), force = record.multiplicity * law.force(distance, record.reach);
+    Mat2 moment;
+    moment.add_outer(force, record.normal, record.branch);
+    s.contact += moment;
+    const double share = share_of(state.radius[sides.negative], state.radius[sides.positive], distance);
+    s.moment[body[sides.negative]] += share * moment;
+    s.moment[body[sides.positive]] += (1 - share) * moment;
+  }
+  for (const SiteForce<2>& w : wall) {
+    const Mat2 moment = wall_moment(system, w);
+    s.wall += moment;
+    s.moment[body[w.site]] += moment;
+  }
+  for (Mat2* part : {&s.kinetic, &s.shape, &s.contact, &s.wall}) *part *= 1 / system.box.volume();
+  return s;
+}
+
+BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation) {
+  if (!field.bodies())
+    throw input_error("no stress of bodies", "this force field is of discs with memory", "use stress_tensors");
+  Evaluation<2> shape;
+  shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec2{});
+  field.terms().evaluate(system, Detail::forces, shape);
+  return body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(), evaluation.wall);
+}
+
+}  // namespace supple

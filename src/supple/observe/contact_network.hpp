@@ -1,0 +1,81 @@
+/// Which bodies touch: contact numbers, rattlers, and what a rigid packing needs.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "supple/contact/laws/harmonic.hpp"
+#include "supple/contact/record.hpp"
+#include "supple/model/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// All that acts between one site and one other body (rough contacts and discs: one other site). The records of smooth
+/// contacts that take a corner back are in it: they are no contacts of their own.
+struct SiteContact {
+  std::int32_t site, other;  ///< the site that acts, and the site of the other body that bears most of it
+  std::int32_t body, other_body;
+  Vec2 force;  ///< on `site`
+
+  double normal_force() const { return norm(force); }
+};
+
+/// The contacts of these records under their law, in the order in which they first occur.
+std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+                                       const Harmonic& law);
+
+/// The bodies that touch each other, or a wall. Two bodies that meet also through a second image (in a very small cell)
+/// are one pair.
+struct ContactNetwork {
+  struct Pair {
+    std::int32_t first, second;  ///< bodies, first < second
+    std::int32_t site_contacts;
+  };
+  std::vector<Pair> pairs;          ///< ascending (first, second)
+  std::vector<std::int32_t> walls;  ///< that each body touches
+
+  int bodies() const { return static_cast<int>(walls.size()); }
+  /// Bodies and walls that each body touches.
+  std::vector<std::int32_t> contacts_of_bodies() const;
+};
+
+/// `wall` are the forces of walls (Evaluation::wall).
+ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
+                               std::span<const SiteForce<2>> wall = {});
+
+/// Bodies with fewer than `least` contacts (d + 1 in d dimensions) with bodies that are no rattlers, removed until none
+/// is left. One number per body, 1: a rattler.
+std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least = 3);
+
+/// Contact numbers of the bodies that are not left out.
+struct ContactNumbers {
+  int bodies = 0, pairs = 0, site_contacts = 0, walls = 0;
+  /// Contacts of a body in the mean, 2 pairs / bodies; a wall counts once.
+  double mean() const { return bodies > 0 ? (2.0 * pairs + walls) / bodies : 0; }
+};
+
+/// `left_out`: 1 for bodies that do not count, with their contacts (find_rattlers); empty: all count.
+ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std::uint8_t> left_out = {});
+
+/// Degrees of freedom against constraints [Maxwell 1864; MacKeith 2025, section 9.4.3]. A packing under compression
+/// that is just rigid has one constraint more than the motions left: one state of self-stress.
+struct ConstraintCount {
+  int freedoms = 0;      ///< of the bodies that count
+  int translations = 0;  ///< of the whole packing that cost nothing: one for each periodic direction
+  int shape = 0;         ///< independent constraints by the shape energy
+  int contacts = 0;      ///< site contacts, and sites on walls
+
+  /// Contacts of an isostatic packing: 2N - 1 for smooth discs in a periodic cell, 3N - 1 for shells.
+  int needed() const { return freedoms - translations - shape + 1; }
+  /// Positive: more than enough. Floppy packings are short of N(n - 1) - 1 - contacts, their number of quartic modes.
+  int excess() const { return contacts - needed(); }
+};
+
+/// Counts the bodies that are not left out. The shape energy of a polygon of n sites fixes as many of its 2n - 3
+/// deformations as it has stiff terms (1 for its area, n for its edges), and all of them where corners are stiff or
+/// under line tension.
+ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
+                                  std::span<const std::uint8_t> left_out = {}, std::span<const SiteForce<2>> wall = {});
+
+}  // namespace supple

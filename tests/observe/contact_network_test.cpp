@@ -1,0 +1,177 @@
+/// Contact numbers, rattlers and constraints of small systems that can be counted by hand.
+#include "supple/observe/contact_network.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "supple/contact/rough_contacts.hpp"
+#include "tests/support/polygons.hpp"
+
+namespace supple {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+
+struct Found {
+  std::vector<SiteContact> contacts;
+  ContactNetwork network;
+};
+
+Found find(System<2>& system, std::span<const SiteForce<2>> wall = {}) {
+  NeighborList<2>().update(system);
+  RoughContacts rough(Harmonic{});
+  Found found{site_contacts(system, rough.records(system), rough.law()), {}};
+  found.network = contact_network(system, found.contacts, wall);
+  return found;
+}
+
+System<2> discs(double length, const std::vector<Vec2>& centres, double radius = 0.5) {
+  System<2> system;
+  system.box.length = {length, length};
+  for (const Vec2& x : centres) add_disc_body(system, x, radius);
+  return system;
+}
+
+TEST(ContactNetwork, HexagonalDiscsHaveSixNeighboursAndTooManyContacts) {
+  const double height = std::sqrt(0.75);
+  System<2> system;
+  system.box.length = {6, 6 * height};
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column) add_disc_body(system, {column + 0.5 * (row % 2), row * height}, 0.501);
+  const Found found = find(system);
+  EXPECT_THAT(found.network.contacts_of_bodies(), Each(6));
+  EXPECT_THAT(find_rattlers(found.network), Each(0));
+  const ContactNumbers numbers = count_contacts(found.network);
+  EXPECT_EQ(numbers.bodies, 36);
+  EXPECT_EQ(numbers.pairs, 108);
+  EXPECT_EQ(numbers.site_contacts, 108);
+  EXPECT_EQ(numbers.mean(), 6);
+  const ConstraintCount count = count_constraints(system, found.contacts);
+  EXPECT_EQ(count.needed(), 2 * 36 - 1);
+  EXPECT_EQ(count.excess(), 108 - 71);
+}
+
+TEST(ContactNetwork, RattlersTakeOthersWithThem) {
+  // A chain 0 - 1 - 2 that hangs on a tetrad 3..6 of unequal discs in contact each with each (three round a small one),
+  // and 7 alone.
+  const double r = 2 / std::sqrt(3.) - 1;  // fits between three touching unit discs
+  System<2> system;
+  system.box.length = {30, 30};
+  const Vec2 hub{10, 10};
+  const double bond = 0.999, around = 2 / std::sqrt(3.);
+  add_disc_body(system, hub + Vec2{around + 3 * 2 * bond, 0}, 1);
+  add_disc_body(system, hub + Vec2{around + 2 * 2 * bond, 0}, 1);
+  add_disc_body(system, hub + Vec2{around + 2 * bond, 0}, 1);
+  for (int k = 0; k < 3; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 3;
+    add_disc_body(system, hub + 0.999 * around * Vec2{std::cos(angle), std::sin(angle)}, 1);
+  }
+  add_disc_body(system, hub, r);
+  add_disc_body(system, {25, 25}, 1);
+  const Found found = find(system);
+  EXPECT_THAT(found.network.contacts_of_bodies(), ElementsAre(1, 2, 2, 4, 3, 3, 3, 0));
+  const auto rattler = find_rattlers(found.network);
+  EXPECT_THAT(rattler, ElementsAre(1, 1, 1, 0, 0, 0, 0, 1)) << "2 has two contacts until 1 has gone";
+  const ContactNumbers all = count_contacts(found.network), rest = count_contacts(found.network, rattler);
+  EXPECT_EQ(all.pairs, 9);
+  EXPECT_EQ(all.mean(), 18 / 8.);
+  EXPECT_EQ(rest.bodies, 4);
+  EXPECT_EQ(rest.pairs, 6);
+  EXPECT_EQ(rest.mean(), 3);
+  EXPECT_EQ(count_constraints(system, found.contacts, rattler).needed(), 2 * 4 - 1);
+  EXPECT_EQ(count_constraints(system, found.contacts, rattler).contacts, 6);
+  EXPECT_THAT(find_rattlers(found.network, 4), Each(1)) << "the whole tetrad, once one of it has gone";
+}
+
+TEST(ContactNetwork, BodiesOfManySitesCountOnceAPair) {
+  // Squares of side 1 side by side: two pairs of vertices touch.
+  System<2> system;
+  system.box.length = {10, 10};
+  for (int b = 0; b < 2; ++b) {
+    const double x = 9.2 + 1.19 * b;  // sticks out of the cell
+    add_ring(system, {{x, 3}, {x + 1, 3}, {x + 1, 4}, {x, 4}}, 0.1, {1, 1, 0, 0}, 1, {1, 1, 1, 1}, {0, 0, 0, 0});
+  }
+  for (Vec2& x : {std::ref(system.state.position[4]), std::ref(system.state.position[5]),
+                  std::ref(system.state.position[6]), std::ref(system.state.position[7])})
+    x[0] -= 10;  // another image of the second body
+  const Found found = find(system);
+  ASSERT_EQ(found.contacts.size(), 2u);
+  EXPECT_EQ(found.contacts[0].site, 1);
+  EXPECT_EQ(found.contacts[0].other, 4);
+  EXPECT_EQ(found.contacts[0].body, 0);
+  EXPECT_EQ(found.contacts[0].other_body, 1);
+  EXPECT_NEAR(found.contacts[0].force[0], -0.01, 1e-14) << "pushed back by the right one";
+  ASSERT_EQ(found.network.pairs.size(), 1u);
+  EXPECT_EQ(found.network.pairs[0].site_contacts, 2);
+  EXPECT_THAT(found.network.contacts_of_bodies(), ElementsAre(1, 1));
+  EXPECT_THAT(find_rattlers(found.network), ElementsAre(1, 1));
+}
+
+/// A facet clamped at its end, the next one too, and the corner between them taken back: one contact of the strength of
+/// one.
+TEST(ContactNetwork, RecordsOfOneSiteAgainstOneBodyAreOneContact) {
+  System<2> system;
+  system.box.length = {10, 10};
+  add_disc_body(system, {5, 5}, 0.5);
+  add_ring(system, {{5.9, 5}, {7, 4}, {7, 6}}, 0.5, {}, 1, {1, 1, 1}, {0, 0, 0});
+  const auto record = [](std::vector<std::pair<int, double>> sides, double multiplicity) {
+    ContactRecord<2> r;
+    r.add(0, -1);
+    for (const auto& [site, weight] : sides) r.add(site, weight);
+    r.normal = {1, 0};
+    r.branch = {0.9, 0};
+    r.reach = 1;
+    r.gap = -0.1;
+    r.multiplicity = multiplicity;
+    return r;
+  };
+  const std::vector<ContactRecord<2>> records{record({{1, 1}, {2, 0}}, 0.5), record({{3, 0.25}, {1, 0.75}}, 0.5),
+                                              record({{1, 1}}, -0.5)};
+  const auto contacts = site_contacts(system, records, Harmonic{2, false});
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_EQ(contacts[0].site, 0);
+  EXPECT_EQ(contacts[0].other, 1);
+  EXPECT_NEAR(contacts[0].force[0], -0.1, 1e-15);
+  EXPECT_NEAR(contacts[0].normal_force(), 0.1, 1e-15);
+}
+
+TEST(ContactNetwork, WallsAreNeighbours) {
+  System<2> system = discs(4, {{0.49, 0.49}, {2, 0.49}, {2, 2}});
+  system.box.periodic = {false, false};
+  Evaluation<2> out;
+  out.force.resize(3);
+  WallLaw walls;
+  walls.floor_friction = 0.5;
+  evaluate_walls(system, walls, Detail::forces, out);
+  const Found found = find(system, out.wall);
+  EXPECT_THAT(found.network.walls, ElementsAre(2, 1, 0));
+  EXPECT_THAT(found.network.contacts_of_bodies(), ElementsAre(2, 1, 0));
+  EXPECT_THAT(find_rattlers(found.network, 1), ElementsAre(0, 0, 1));
+  EXPECT_EQ(count_contacts(found.network).walls, 3);
+  EXPECT_EQ(count_contacts(found.network).mean(), 1);
+  const ConstraintCount count = count_constraints(system, found.contacts, {}, out.wall);
+  EXPECT_EQ(count.translations, 0);
+  EXPECT_EQ(count.needed(), 7);
+  EXPECT_EQ(count.contacts, 3);
+}
+
+/// N_m = N (n - 1) - 1 - N_vv quartic modes of floppy packings; shells count like rigid bodies.
+TEST(ContactNetwork, ConstraintsOfDeformableBodies) {
+  testing::PackingDraw draw;
+  draw.shape = {1, 1, 0, 0};
+  System<2> floppy = testing::random_polygons(draw);
+  const Found found = find(floppy);
+  const int sites = floppy.state.size(), touching = static_cast<int>(found.contacts.size());
+  ASSERT_GT(touching, 9);
+  EXPECT_EQ(-count_constraints(floppy, found.contacts).excess(), sites - 9 - 1 - touching);
+
+  draw.shape.bending = 0.1;
+  EXPECT_EQ(count_constraints(testing::random_polygons(draw), found.contacts).needed(), 3 * 9 - 1);
+  draw.shape = {1, 1, 0, 0.1};
+  EXPECT_EQ(count_constraints(testing::random_polygons(draw), found.contacts).needed(), 3 * 9 - 1);
+}
+
+}  // namespace
+}  // namespace supple
