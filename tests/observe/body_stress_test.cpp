@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "supple/contact/rough_contacts.hpp"
+#include "supple/model/rigid.hpp"
 #include "supple/observe/shape_measures.hpp"
 #include "tests/support/polygons.hpp"
 
@@ -110,6 +111,48 @@ TEST(BodyStress, IsTheVirialAndAddsUp) {
     for (std::size_t b = 0; b < areas.size(); ++b) weighted += (areas[b] / area) * of_bodies[b];
     expect_near(weighted, s.virial(), 1e-13 * scale);
   }
+}
+
+/// What keeps a rigid body together carries the force of a contact to its centre: F times the distance of the centres.
+TEST(BodyStress, RigidSquares) {
+  const double gap = 0.19, force = k_c * (0.2 - gap);
+  System<2> system = two_squares(gap, 0.1, 0.1);
+  make_rigid(system, 0);
+  make_rigid(system, 1);
+  const BodyStresses s = evaluate(system, {k_c, false}).stress;
+  const double area = side * side;
+  expect_near(s.contact, (1 / area) * diagonal(2 * force * gap, 0), 1e-16);
+  expect_near(s.shape, (1 / area) * diagonal(2 * force, 0), 1e-16);
+  expect_near(s.moment[0], diagonal(force * (1 + gap), 0), 1e-14);
+  expect_near(s.moment[1], diagonal(force * (1 + gap), 0), 1e-14);
+}
+
+/// -dU/d(strain) where rigid bodies move with their centres and neither turn nor stretch.
+TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
+  System<2> system = random_polygons();
+  for (int b = 0; b < 9; ++b) make_rigid(system, b);
+  for (double& spin : system.rigid.spin) spin = 0;
+  const auto [evaluation, s] = evaluate(system, {7, false});
+  EXPECT_NEAR(s.virial()[0][1], s.virial()[1][0], 1e-13 * pressure(s.virial()));
+  EXPECT_GT(std::abs(pressure(s.shape)), 0.1 * pressure(s.contact));
+  const auto energy_at = [&](double e) {
+    System<2> strained = system;
+    strained.box.length = (1 + e) * system.box.length;
+    for (Vec2& centre : strained.rigid.centre) centre *= 1 + e;
+    place_sites(strained);
+    return evaluate(strained, {7, false}).evaluation.energy.stored();
+  };
+  const double step = 1e-6, slope = (energy_at(step) - energy_at(-step)) / (2 * step);
+  EXPECT_NEAR(2 * pressure(s.virial()) * system.box.volume(), -slope, 1e-8 * std::abs(slope));
+  const auto spun = [&](double spin) {
+    for (double& w : system.rigid.spin) w = spin;
+    place_sites(system);
+    return evaluate(system, {7, false}).stress;
+  };
+  // Rotation is motion at no pressure: what it adds to the kinetic part the centripetal forces take away.
+  const BodyStresses at_rest = spun(0), turning = spun(2);
+  EXPECT_NEAR(pressure(turning.total()), pressure(at_rest.total()), 1e-12 * pressure(turning.kinetic));
+  EXPECT_GT(pressure(turning.kinetic), 1);
 }
 
 TEST(BodyStress, WallsPressToo) {

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "supple/contact/rough_contacts.hpp"
+#include "supple/contact/smooth_contacts.hpp"
+#include "supple/model/rigid.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple {
@@ -98,43 +100,67 @@ TEST(ContactNetwork, BodiesOfManySitesCountOnceAPair) {
     x[0] -= 10;  // another image of the second body
   const Found found = find(system);
   ASSERT_EQ(found.contacts.size(), 2u);
-  EXPECT_EQ(found.contacts[0].site, 1);
-  EXPECT_EQ(found.contacts[0].other, 4);
-  EXPECT_EQ(found.contacts[0].body, 0);
-  EXPECT_EQ(found.contacts[0].other_body, 1);
-  EXPECT_NEAR(found.contacts[0].force[0], -0.01, 1e-14) << "pushed back by the right one";
+  EXPECT_EQ(found.contacts[0].site, 4);
+  EXPECT_EQ(found.contacts[0].other, 1);
+  EXPECT_EQ(found.contacts[0].body, 1);
+  EXPECT_EQ(found.contacts[0].other_body, 0);
+  EXPECT_NEAR(found.contacts[0].force[0], 0.01, 1e-14) << "pushed on by the left one";
   ASSERT_EQ(found.network.pairs.size(), 1u);
   EXPECT_EQ(found.network.pairs[0].site_contacts, 2);
   EXPECT_THAT(found.network.contacts_of_bodies(), ElementsAre(1, 1));
   EXPECT_THAT(find_rattlers(found.network), ElementsAre(1, 1));
 }
 
-/// A facet clamped at its end, the next one too, and the corner between them taken back: one contact of the strength of
-/// one.
+/// Two edges that reach over each other, and the corner between them taken back, are one contact; its far site is the
+/// one with most of it.
 TEST(ContactNetwork, RecordsOfOneSiteAgainstOneBodyAreOneContact) {
   System<2> system;
   system.box.length = {10, 10};
   add_disc_body(system, {5, 5}, 0.5);
   add_ring(system, {{5.9, 5}, {7, 4}, {7, 6}}, 0.5, {}, 1, {1, 1, 1}, {0, 0, 0});
-  const auto record = [](std::vector<std::pair<int, double>> sides, double multiplicity) {
+  const auto record = [](const std::vector<std::pair<int, double>>& sides, double multiplicity) {
     ContactRecord<2> r;
-    r.add(0, -1);
-    for (const auto& [site, weight] : sides) r.add(site, weight);
-    r.normal = {1, 0};
-    r.branch = {0.9, 0};
+    r.add(0, 1);
+    for (const auto& [site, weight] : sides) r.add(site, -weight);
+    r.normal = {-1, 0};
+    r.branch = {-0.9, 0};
     r.reach = 1;
     r.gap = -0.1;
     r.multiplicity = multiplicity;
+    r.touch = 0;
     return r;
   };
-  const std::vector<ContactRecord<2>> records{record({{1, 1}, {2, 0}}, 0.5), record({{3, 0.25}, {1, 0.75}}, 0.5),
-                                              record({{1, 1}}, -0.5)};
+  const std::vector<ContactRecord<2>> records{record({{1, 0.9}, {2, 0.1}}, 0.5), record({{3, 0.25}, {1, 0.75}}, 0.5),
+                                              record({{1, 1}}, -0.25)};
   const auto contacts = site_contacts(system, records, Harmonic{2, false});
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_EQ(contacts[0].site, 0);
   EXPECT_EQ(contacts[0].other, 1);
-  EXPECT_NEAR(contacts[0].force[0], -0.1, 1e-15);
-  EXPECT_NEAR(contacts[0].normal_force(), 0.1, 1e-15);
+  EXPECT_EQ(contacts[0].body, 0);
+  EXPECT_EQ(contacts[0].other_body, 1);
+  EXPECT_NEAR(contacts[0].force[0], -0.15, 1e-15);
+  EXPECT_NEAR(contacts[0].normal_force(), 0.15, 1e-15);
+}
+
+/// Shifted by a quarter of their side, each of two smooth squares has one corner in front of an edge of the other.
+TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
+  System<2> system;
+  system.box.length = {10, 10};
+  const std::vector<double> four(4, 1);
+  for (int b = 0; b < 2; ++b) {
+    const double x = 3 + 1.19 * b, y = 5 + 0.25 * b;
+    add_ring(system, {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}, 0.1, {}, 1, four, four);
+  }
+  NeighborList<2>(default_skin, Meeting::facets).update(system);
+  SmoothContacts smooth(Harmonic{});
+  const auto contacts = site_contacts(system, smooth.records(system), smooth.law());
+  ASSERT_EQ(contacts.size(), 2u);
+  for (const SiteContact& c : contacts) {
+    EXPECT_EQ(c.site, c.body == 0 ? 2 : 4);
+    EXPECT_EQ(c.other, c.body == 0 ? 7 : 1) << "the nearer end of the edge";
+    EXPECT_NEAR(c.force[0], c.body == 0 ? -0.005 : 0.005, 1e-15) << "half of the law";
+  }
+  ASSERT_EQ(contact_network(system, contacts).pairs.size(), 1u);
 }
 
 TEST(ContactNetwork, WallsAreNeighbours) {
@@ -170,7 +196,14 @@ TEST(ContactNetwork, ConstraintsOfDeformableBodies) {
   draw.shape.bending = 0.1;
   EXPECT_EQ(count_constraints(testing::random_polygons(draw), found.contacts).needed(), 3 * 9 - 1);
   draw.shape = {1, 1, 0, 0.1};
-  EXPECT_EQ(count_constraints(testing::random_polygons(draw), found.contacts).needed(), 3 * 9 - 1);
+  System<2> rigid = testing::random_polygons(draw);
+  EXPECT_EQ(count_constraints(rigid, found.contacts).needed(), 3 * 9 - 1);
+  for (int b = 0; b < 9; ++b) make_rigid(rigid, b);
+  EXPECT_EQ(count_constraints(rigid, found.contacts).needed(), 3 * 9 - 1);
+  rigid.state.mobility[0] = Mobility::fixed;
+  EXPECT_EQ(count_constraints(rigid, found.contacts).needed(), 3 * 8 - 1) << "one is held";
+  floppy.state.mobility[0] = Mobility::fixed;
+  EXPECT_EQ(count_constraints(floppy, found.contacts).freedoms, 2 * sites - 2);
 }
 
 }  // namespace

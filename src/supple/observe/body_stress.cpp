@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "supple/core/error.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
@@ -55,6 +56,22 @@ Mat2 wall_moment(const System<2>& system, const SiteForce<2>& wall) {
   return moment;
 }
 
+/// Forces that keep the sites of rigid bodies together, under these forces on all sites.
+void add_rigid_forces(const System<2>& system, const std::vector<Vec2>& force, std::vector<Vec2>& inner) {
+  const RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r) {
+    if (held(system, r)) continue;  // what holds it acts on its sites: nothing is left to keep them together
+    const RigidForce whole = force_on_rigid(system, force, r);
+    const Vec2 acceleration = (1 / rigid.mass[r]) * whole.force;
+    const double turning = whole.torque / rigid.inertia[r], spin = rigid.spin[r];
+    const std::int32_t b = rigid.body[r];
+    for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) {
+      const Vec2 arm = system.state.position[i] - rigid.centre[r];
+      inner[i] += system.state.mass[i] * (acceleration + cross(turning, arm) - spin * spin * arm) - force[i];
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Mat2> BodyStresses::of_bodies(std::span<const double> area) const {
@@ -100,6 +117,7 @@ BodyStresses body_stresses(const System<2>& system, ForceField& field, const Eva
   Evaluation<2> shape;
   shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec2{});
   field.terms().evaluate(system, Detail::forces, shape);
+  add_rigid_forces(system, evaluation.force, shape.force);
   return body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(), evaluation.wall);
 }
 

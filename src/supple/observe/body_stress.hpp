@@ -15,14 +15,14 @@ namespace supple {
 /// along i, position along j. F l^T of a contact: F on a site, l from the other one to it.
 struct BodyStresses {
   Mat2 kinetic;  ///< (1/A) sum m u u^T, velocities relative to the flow
-  Mat2 shape;    ///< (1/A) sum F r^T over all sites, F of the shape energy, r in the unwrapped body
+  Mat2 shape;    ///< (1/A) sum F r^T over all sites, F of the shape energy or what keeps a body rigid, r unwrapped
   Mat2 contact;  ///< (1/A) sum F l^T over contacts between bodies: what some codes call the pressure
   Mat2 wall;     ///< (1/A) sum F l^T over sites on walls
   /// Of each body: area times its static stress (9.27), its shape part and its shares of contacts [energy]. They add to
   /// the area of the cell times virial().
   std::vector<Mat2> moment;
 
-  /// The static stress: -(1/A) dU/d(strain), Evaluation::virial per area.
+  /// The static stress: -(1/A) dU/d(strain); Evaluation::virial per area where no body is rigid.
   Mat2 virial() const { return shape + contact + wall; }
   /// The full stress (9.26).
   Mat2 total() const { return kinetic + virial(); }
@@ -43,7 +43,8 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
                            const std::vector<ContactRecord<2>>& records, const Harmonic& law,
                            std::span<const SiteForce<2>> wall = {});
 
-/// The same of a force field of bodies, at the instant of `evaluation`.
+/// The same of a force field of bodies, at the instant of `evaluation`. The shape forces of rigid bodies are what keeps
+/// their sites together: mass times acceleration less all other forces. Evaluation::virial does not know them.
 BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
 
 }  // namespace supple

@@ -2,21 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
+
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
 namespace {
 
-/// The site of a side of the record (the side of `weight`'s sign) with the largest share.
-std::int32_t main_site(const ContactRecord<2>& record, bool positive) {
+/// The site of the far side, that of negative weight, which bears most of these records.
+std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch, const Harmonic& law) {
   std::int32_t site = -1;
-  double largest = 0;
-  for (int k = 0; k < record.sites; ++k) {
-    const double weight = positive ? record.weight[k] : -record.weight[k];
-    if (weight > largest) largest = weight, site = record.site[k];
+  double largest = -1;
+  for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r) {
+    const ContactRecord<2>& record = records[r];
+    const double force = std::abs(record.multiplicity) * law.force(record.distance(), record.reach);
+    for (int k = 0; k < record.sites; ++k)
+      if (const double weight = -record.weight[k]; weight > 0 && weight * force > largest) {
+        largest = weight * force;
+        site = record.site[k];
+      }
   }
   return site;
 }
@@ -37,25 +42,9 @@ int wall_of(const SiteForce<2>& wall) {
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                        const Harmonic& law) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, std::size_t> known;
   std::vector<SiteContact> contacts;
-  std::vector<double> strongest;
-  for (const ContactRecord<2>& record : records) {
-    // The site that acts stands first; the other side is a site, or a facet.
-    const std::int32_t site = record.site[0];
-    const bool positive = record.weight[0] > 0;
-    const std::int32_t other = main_site(record, !positive);
-    const bool pair_of_sites = record.sites == 2 && record.multiplicity == 1;
-    const auto [at, is_new] = known.try_emplace({site, body[other], pair_of_sites ? other : -1}, contacts.size());
-    if (is_new) {
-      contacts.push_back({site, other, body[site], body[other], {}});
-      strongest.push_back(0);
-    }
-    SiteContact& contact = contacts[at->second];
-    const double force = record.multiplicity * law.force(record.distance(), record.reach);
-    contact.force += (positive ? force : -force) * record.normal;
-    if (force > strongest[at->second]) strongest[at->second] = force, contact.other = other;
-  }
+  for (const BodyTouch& touch : sum_touches(system, records, law))
+    contacts.push_back({touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force});
   return contacts;
 }
 
@@ -128,10 +117,16 @@ ConstraintCount count_constraints(const System<2>& system, const std::vector<Sit
   const int sites = system.state.size();
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, sites);
   for (int d = 0; d < 2; ++d) out.translations += system.box.periodic[d];
+  const std::vector<std::int32_t>& rigid = system.rigid.body;
   for (int b = 0; b < system.topology.body_count(sites); ++b) {
     if (!counts(left_out, b)) continue;
+    if (const auto r = std::lower_bound(rigid.begin(), rigid.end(), b); r != rigid.end() && *r == b) {
+      out.freedoms += held(system, static_cast<int>(r - rigid.begin())) ? 0 : 3;
+      continue;
+    }
     const int n = system.topology.body_size(b);
-    out.freedoms += 2 * n;
+    for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+      out.freedoms += system.state.mobility[i] == Mobility::free ? 2 : 0;
     if (n < 3 || system.shape.empty()) continue;
     const ShapeStiffness& k = system.shape.stiffness[b];
     const int deformations = 2 * n - 3, stiff = (k.volume > 0) + (k.facet > 0 ? n : 0);

@@ -4,15 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "supple/contact/laws/harmonic.hpp"
-#include "supple/contact/record.hpp"
+#include "supple/contact/body_contacts.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
 
-/// All that acts between one site and one other body (rough contacts and discs: one other site). The records of smooth
-/// contacts that take a corner back are in it: they are no contacts of their own.
+/// All that acts between one site and one other body (sum_touches). Rough contacts and discs: one other site.
 struct SiteContact {
   std::int32_t site, other;  ///< the site that acts, and the site of the other body that bears most of it
   std::int32_t body, other_body;
@@ -21,7 +19,7 @@ struct SiteContact {
   double normal_force() const { return norm(force); }
 };
 
-/// The contacts of these records under their law, in the order in which they first occur.
+/// The contacts of these records under their law, in the order in which they act.
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                        const Harmonic& law);
 
@@ -72,9 +70,9 @@ struct ConstraintCount {
   int excess() const { return contacts - needed(); }
 };
 
-/// Counts the bodies that are not left out. The shape energy of a polygon of n sites fixes as many of its 2n - 3
-/// deformations as it has stiff terms (1 for its area, n for its edges), and all of them where corners are stiff or
-/// under line tension.
+/// Counts the bodies that are not left out: 3 freedoms of a rigid one, 2 of each free site of the others. The shape
+/// energy of a polygon of n sites fixes as many of its 2n - 3 deformations as it has stiff terms (1 for its area, n for
+/// its edges), and all of them where corners are stiff or edges have line tension.
 ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
                                   std::span<const std::uint8_t> left_out = {}, std::span<const SiteForce<2>> wall = {});
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "supple/contact/sites_inside.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
@@ -39,12 +40,6 @@ RingMeasures measure(std::span<const Vec2> ring) {
   return m;
 }
 
-double reach_from(const Vec2& centre, std::span<const Vec2> ring) {
-  double square = 0;
-  for (const Vec2& x : ring) square = std::max(square, dot(x - centre, x - centre));
-  return std::sqrt(square);
-}
-
 }  // namespace
 
 ShapeMeasures measure_shapes(const System<2>& system) {
@@ -69,33 +64,11 @@ ShapeMeasures measure_shapes(const System<2>& system) {
 }
 
 std::vector<std::int32_t> bodies_inside_others(const System<2>& system) {
-  const int bodies = system.topology.body_count(system.state.size());
-  const ShapeMeasures shapes = measure_shapes(system);
-  std::vector<double> reach;
-  for (int b = 0; b < bodies; ++b) reach.push_back(reach_from(shapes.centre[b], ring_of(system, b)));
-  const auto has_site_in = [&](int b, int other) {
-    const std::span<const Vec2> ring = ring_of(system, other);
-    if (ring.size() < 3) return false;
-    const Vec2& centre = shapes.centre[other];
-    for (const Vec2& x : ring_of(system, b)) {
-      const Vec2 r = system.box.displacement(centre, x);
-      if (dot(r, r) < reach[other] * reach[other] && encloses(ring, centre + r)) return true;
-    }
-    return false;
-  };
-  // Distances are exact up to half of the shortest length: larger bodies are looked at whatever their distance.
-  const double exact = 0.5 * std::min(system.box.length[0], system.box.length[1]);
-  const auto may_meet = [&](int a, int b) {
-    const double sum = reach[a] + reach[b];
-    return sum >= exact || norm(system.box.displacement(shapes.centre[a], shapes.centre[b])) < sum;
-  };
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<std::int32_t> inside;
-  for (int b = 0; b < bodies; ++b)
-    for (int other = 0; other < bodies; ++other) {
-      if (other == b || !may_meet(b, other) || !has_site_in(b, other)) continue;
-      inside.push_back(b);
-      break;
-    }
+  for (const SiteInside& found : find_sites_inside(system)) inside.push_back(body[found.site]);
+  std::sort(inside.begin(), inside.end());
+  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
   return inside;
 }
 

@@ -17,8 +17,7 @@ struct ShapeMeasures {
 
 ShapeMeasures measure_shapes(const System<2>& system);
 
-/// Bodies with a site inside the polygon of another body (nearest image), ascending: vertices have passed an edge.
-/// Polygons must be smaller than half of the cell.
+/// Bodies with a site inside the polygon of another body (find_sites_inside), ascending: vertices have passed an edge.
 std::vector<std::int32_t> bodies_inside_others(const System<2>& system);
 
 }  // namespace supple
