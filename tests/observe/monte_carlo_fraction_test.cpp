@@ -2,6 +2,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/geometry/polygon.hpp"
 #include "supple/observe/packing_fraction.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -74,6 +75,47 @@ TEST(MonteCarloFraction, AgreesWithThePublishedSumOfSlightOverlaps) {
     chi.add(sum.total, monte_carlo_fraction(system, Outline::rough, 3000000, 5));
   }
   chi.expect_agreement();
+}
+
+/// Points of the same streams that lie within any copy of a body, with no raster in between.
+std::int64_t hits_one_by_one(const System<2>& system, Outline outline, std::int64_t points,
+                             std::uint64_t seed) {
+  std::int64_t hits = 0;
+  const auto covered = [&](const Vec2& x) {
+    for (int b = 0; b < system.topology.body_count(0); ++b) {
+      const int first = system.topology.begin[b], n = system.topology.begin[b + 1] - first;
+      for (double shift_x : {-1, 0, 1})
+        for (double shift_y : {-1, 0, 1}) {
+          Ring ring(system.state.position.begin() + first, system.state.position.begin() + first + n);
+          for (Vec2& y : ring) y += Vec2{shift_x * system.box.length[0], shift_y * system.box.length[1]};
+          if (n > 2 && encloses(ring, x)) return true;
+          for (int k = 0; k < n; ++k) {
+            const Vec2 end = outline == Outline::smooth ? ring[(k + 1) % n] : ring[k];
+            if (distance_to_segment(x, ring[k], end) < system.state.radius[first]) return true;
+          }
+        }
+    }
+    return false;
+  };
+  for (std::int64_t p = 0; p < points; p += 1024) {
+    RandomStream draw(seed, Purpose::area_sample, static_cast<std::uint64_t>(p / 1024));
+    for (std::int64_t k = p; k < std::min(points, p + 1024); ++k) {
+      const double x = draw.uniform(0, system.box.length[0]);
+      hits += covered({x, draw.uniform(0, system.box.length[1])});
+    }
+  }
+  return hits;
+}
+
+TEST(MonteCarloFraction, CountsWhatItWouldWithoutTheRaster) {
+  System<2> system = empty_cell(7, 6);
+  add_body(system, star(5, 2, 0.8, {1, 1}, 0.1), 0.17);
+  add_body(system, regular_polygon(7, 1, {5.9, 4}), 0.3);
+  add_body(system, {{3, 4.4}}, 0.6);
+  for (const Outline outline : {Outline::rough, Outline::smooth})
+    for (const std::int64_t points : {1, 700, 20000, 300000})
+      EXPECT_NEAR(monte_carlo_fraction(system, outline, points, 9).value * static_cast<double>(points),
+                  static_cast<double>(hits_one_by_one(system, outline, points, 9)), 1e-6);
 }
 
 TEST(MonteCarloFraction, HasTheErrorThatItSays) {

@@ -218,6 +218,11 @@ TEST(PackingFraction, DoubtsOfTheSum) {
   add_body(system, {{7, 3}, {9, 3}, {9, 5}, {7, 5}}, 0.51);  // two discs overlap by 0.01
   EXPECT_EQ(rough_sum(system).doubts, 0);
   EXPECT_NEAR(rough_sum(system).total, packing_fraction(system, Outline::rough).total, 1e-14);
+  System<2> claw = empty_cell(12, 12);  // whose tips overlap, but no edge meets another
+  add_body(claw, {{1, 1}, {4, 1}, {2.8, 4}, {2.8, 2}, {2.2, 2}, {2.2, 4}}, 0.29);
+  EXPECT_EQ(rough_sum(claw).doubts, 0);
+  claw.state.position[2][0] -= 0.1;
+  EXPECT_EQ(rough_sum(claw).doubts, 2);
   System<2> on_edge = system;
   add_body(on_edge, {{4.5, 6.4}}, 0.45);
   EXPECT_EQ(rough_sum(on_edge).doubts, 1);
@@ -227,7 +232,7 @@ TEST(PackingFraction, DoubtsOfTheSum) {
   System<2> crossed = system;
   add_body(crossed, {{4, 1}, {5, 1}, {5, 8}, {4, 8}}, 0.1);
   EXPECT_EQ(rough_sum(crossed).doubts, 4);  // two edges of each
-  for (const System<2>& s : {on_edge, triple, crossed})
+  for (const System<2>& s : {claw, on_edge, triple, crossed})
     EXPECT_GT(std::abs(rough_sum(s).total - packing_fraction(s, Outline::rough).total), 1e-6);
 }
 

@@ -14,9 +14,18 @@
 namespace supple {
 namespace {
 
-constexpr Purpose area_sample{12};  // to be named in core/random.hpp
+/// Whether the body covers x: the definition of its outline.
+bool covered_by(const BodyShape& body, Outline outline, const Vec2& x) {
+  const bool smooth = outline == Outline::smooth && !body.is_disc();
+  for (int k = 0; k < body.size(); ++k) {
+    const Vec2 r = x - body.ring[k];
+    if (smooth ? body.distance_to_edge(k, x) < body.radius[k] : dot(r, r) < body.radius[k] * body.radius[k])
+      return true;
+  }
+  return !body.is_disc() && encloses(body.ring, x);
+}
 
-/// Where x is to a body: the distance by which it lies inside (positive) or outside at least.
+/// The distance to the outline at least: positive inside, negative outside.
 double depth_in(const BodyShape& body, Outline outline, const Vec2& x) {
   double from_disc = INFINITY, from_edge = INFINITY;
   for (int k = 0; k < body.size(); ++k) {
@@ -57,7 +66,7 @@ class Raster {
     const std::int32_t cell = cell_[place];
     const Vec2 x = region_.low + Vec2{u[0] * side_ * size_[0], u[1] * side_ * size_[1]};
     for (std::int32_t k = begin_[cell]; k < begin_[cell + 1]; ++k)
-      if (depth_in(bodies_[list_[k].body], outline_, x - list_[k].shift) > 0) return true;
+      if (covered_by(bodies_[list_[k].body], outline_, x - list_[k].shift)) return true;
     return false;
   }
 
@@ -136,7 +145,7 @@ MonteCarloFraction monte_carlo_fraction(const System<2>& system, Outline outline
   const std::int64_t hits = sum_chunks<std::int64_t>(streams, [&](std::int64_t begin, std::int64_t end) {
     std::int64_t count = 0;
     for (std::int64_t stream = begin; stream < end; ++stream) {
-      RandomStream draw(seed, area_sample, static_cast<std::uint64_t>(stream));
+      RandomStream draw(seed, Purpose::area_sample, static_cast<std::uint64_t>(stream));
       const std::int64_t last = std::min(points, (stream + 1) * points_of_stream);
       for (std::int64_t p = stream * points_of_stream; p < last; ++p) {
         const double x = draw.uniform(), y = draw.uniform();
