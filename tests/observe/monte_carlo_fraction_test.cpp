@@ -54,8 +54,8 @@ System<2> touching_polygons(int columns, int rows, int vertices, double overlap,
     const int row = b / columns;
     const double radius = b % 2 ? 0.09 : 0.07;
     const Vec2 centre{b % columns + 0.5 * (row % 2), row * height};
-    add_body(system, regular_polygon(vertices, 0.5 * (1 + overlap) - radius, centre, draw.uniform(0, 7)),
-             radius);
+    add_outline(system, regular_polygon(vertices, 0.5 * (1 + overlap) - radius, centre, draw.uniform(0, 7)),
+                radius);
   }
   return system;
 }
@@ -109,9 +109,9 @@ std::int64_t hits_one_by_one(const System<2>& system, Outline outline, std::int6
 
 TEST(MonteCarloFraction, CountsWhatItWouldWithoutTheRaster) {
   System<2> system = empty_cell(7, 6);
-  add_body(system, star(5, 2, 0.8, {1, 1}, 0.1), 0.17);
-  add_body(system, regular_polygon(7, 1, {5.9, 4}), 0.3);
-  add_body(system, {{3, 4.4}}, 0.6);
+  add_outline(system, star(5, 2, 0.8, {1, 1}, 0.1), 0.17);
+  add_outline(system, regular_polygon(7, 1, {5.9, 4}), 0.3);
+  add_outline(system, {{3, 4.4}}, 0.6);
   for (const Outline outline : {Outline::rough, Outline::smooth})
     for (const std::int64_t points : {1, 700, 20000, 80000})
       EXPECT_NEAR(monte_carlo_fraction(system, outline, points, 9).value * static_cast<double>(points),
@@ -120,7 +120,7 @@ TEST(MonteCarloFraction, CountsWhatItWouldWithoutTheRaster) {
 
 TEST(MonteCarloFraction, HasTheErrorThatItSays) {
   System<2> system = empty_cell(2, 2);
-  add_body(system, {{0.3, 1.9}}, 0.7);
+  add_outline(system, {{0.3, 1.9}}, 0.7);
   const double fraction = std::numbers::pi * 0.49 / 4;
   double squares = 0;
   constexpr int runs = 200;
@@ -148,7 +148,7 @@ TEST(MonteCarloFraction, DoesNotDependOnThreads) {
 TEST(MonteCarloFraction, CountsWhatReachesBeyondAPlate) {
   System<2> system = empty_cell(2, 2);
   system.box.periodic = {true, false};
-  add_body(system, {{1.9, 0.0}}, 0.5);
+  add_outline(system, {{1.9, 0.0}}, 0.5);
   const MonteCarloFraction mc = monte_carlo_fraction(system, Outline::rough, 100000, 1);
   EXPECT_NEAR(mc.value, std::numbers::pi * 0.25 / 4, 4 * mc.error);
   EXPECT_THROW(monte_carlo_fraction(system, Outline::rough, 0, 1), Error);

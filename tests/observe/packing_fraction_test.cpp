@@ -22,7 +22,7 @@ double exact_area(const System<2>& system, Outline outline) {
 
 double area_alone(const Ring& ring, double radius, Outline outline) {
   System<2> system = empty_cell(20, 30);
-  add_body(system, ring, radius);
+  add_outline(system, ring, radius);
   const double exact = exact_area(system, outline);
   const RoughSum sum = rough_sum(system);
   if (outline == Outline::rough && sum.doubts == 0) {
@@ -60,7 +60,7 @@ TEST(PackingFraction, RegularPolygons) {
       const double rough = a + n * (pi / 2 + pi / n) * r * r - n * lens / 2;
       EXPECT_NEAR(area_alone(ring, r, Outline::rough), rough, 1e-11) << n << ' ' << ratio;
       System<2> system = empty_cell(20, 20);
-      add_body(system, ring, r);
+      add_outline(system, ring, r);
       EXPECT_EQ(rough_sum(system).doubts, 0);
     }
 }
@@ -76,7 +76,7 @@ TEST(PackingFraction, SumOfAConvexRingIsExactOrInDoubt) {
     for (const double a : angle) ring.push_back({12 + 2 * std::cos(a), 12 + std::sin(a)});  // of an ellipse
     for (const double r : {0.05, 0.3, 1.0, 3.0}) {
       System<2> system = empty_cell(24, 24);
-      add_body(system, ring, r);
+      add_outline(system, ring, r);
       const RoughSum sum = rough_sum(system);
       const double error = std::abs(sum.total * 576 - exact_area(system, Outline::rough));
       if (sum.doubts == 0) {
@@ -92,7 +92,7 @@ TEST(PackingFraction, SumOfAConvexRingIsExactOrInDoubt) {
 
 TEST(PackingFraction, PartsOfTheSum) {
   System<2> system = empty_cell(10, 10);
-  add_body(system, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, 0.5);
+  add_outline(system, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, 0.5);
   const RoughSum sum = rough_sum(system);
   EXPECT_NEAR(sum.polygons, 0.04, 1e-15);
   EXPECT_NEAR(sum.vertices, 0.01 * pi, 1e-15);
@@ -128,7 +128,7 @@ TEST(PackingFraction, NotConvex) {
   EXPECT_NEAR(area_alone(ring, r, Outline::rough), rough, 1e-12);
   EXPECT_NEAR(area_alone(ring, r, Outline::smooth), smooth, 1e-12);
   System<2> system = empty_cell(9, 9);
-  add_body(system, ring, r);
+  add_outline(system, ring, r);
   EXPECT_EQ(rough_sum(system).doubts, 0);
   // Discs so large that they fill the notches: the sum is wrong and says so.
   system.state.radius.assign(10, 1.6);
@@ -140,8 +140,8 @@ TEST(PackingFraction, TwoDiscs) {
   for (const double small : {1.0, 0.6}) {
     // Across both periods; the copies are cells apart.
     System<2> system = empty_cell(5, 7);
-    add_body(system, {{0.1, 7.05}}, 1);
-    add_body(system, {{-0.9 + 15, 0.05 - 14}}, small);
+    add_outline(system, {{0.1, 7.05}}, 1);
+    add_outline(system, {{-0.9 + 15, 0.05 - 14}}, small);
     const double loss = overlap_share(1, small, 1), loss_of_small = overlap_share(small, 1, 1);
     const double both = pi + pi * small * small - loss - loss_of_small;
     for (const Outline outline : {Outline::rough, Outline::smooth})
@@ -160,7 +160,7 @@ TEST(PackingFraction, ImagesOfAShearedCell) {
   // A disc of diameter 1.2 in a cell of 1 x 2 overlaps its own images; the one above is displaced by the
   // strain.
   System<2> system = empty_cell(1, 1.1);
-  add_body(system, {{0.3, 0.4}}, 0.6);
+  add_outline(system, {{0.3, 0.4}}, 0.6);
   system.box.strain = 0.25;
   const auto lens = [](double d) { return 2 * overlap_share(0.6, 0.6, d); };
   const double shift = 0.25 * 1.1;
@@ -182,7 +182,8 @@ TEST(PackingFraction, BodiesThatFillTheCell) {
     System<2> system = empty_cell(3, 2);
     for (int b = 0; b < 6; ++b) {
       const Vec2 x{0.7 + b % 3, 0.3 + b / 3};
-      add_body(system, {x + Vec2{r, r}, x + Vec2{1 - r, r}, x + Vec2{1 - r, 1 - r}, x + Vec2{r, 1 - r}}, r);
+      add_outline(system, {x + Vec2{r, r}, x + Vec2{1 - r, r}, x + Vec2{1 - r, 1 - r}, x + Vec2{r, 1 - r}},
+                  r);
     }
     const PackingFraction fraction = packing_fraction(system, Outline::smooth);
     EXPECT_NEAR(fraction.total, 1 - (4 - pi) * r * r, 1e-11);
@@ -196,7 +197,7 @@ TEST(PackingFraction, WhatManyCoverIsShared) {
   // A big square and three inside it, two of which overlap.
   System<2> system = empty_cell(10, 10);
   const auto square = [&](double x, double y, double side) {
-    add_body(system, {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, 0);
+    add_outline(system, {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, 0);
   };
   square(1, 1, 8);
   square(2, 2, 2);
@@ -214,23 +215,23 @@ TEST(PackingFraction, WhatManyCoverIsShared) {
 TEST(PackingFraction, DoubtsOfTheSum) {
   System<2> system = empty_cell(12, 12);
   const Ring square = {{3, 3}, {6, 3}, {6, 6}, {3, 6}};
-  add_body(system, square, 0.5);
-  add_body(system, {{7, 3}, {9, 3}, {9, 5}, {7, 5}}, 0.51);  // two discs overlap by 0.01
+  add_outline(system, square, 0.5);
+  add_outline(system, {{7, 3}, {9, 3}, {9, 5}, {7, 5}}, 0.51);  // two discs overlap by 0.01
   EXPECT_EQ(rough_sum(system).doubts, 0);
   EXPECT_NEAR(rough_sum(system).total, packing_fraction(system, Outline::rough).total, 1e-14);
   System<2> claw = empty_cell(12, 12);  // whose tips overlap, but no edge meets another
-  add_body(claw, {{1, 1}, {4, 1}, {2.8, 4}, {2.8, 2}, {2.2, 2}, {2.2, 4}}, 0.29);
+  add_outline(claw, {{1, 1}, {4, 1}, {2.8, 4}, {2.8, 2}, {2.2, 2}, {2.2, 4}}, 0.29);
   EXPECT_EQ(rough_sum(claw).doubts, 0);
   claw.state.position[2][0] -= 0.1;
   EXPECT_EQ(rough_sum(claw).doubts, 2);
   System<2> on_edge = system;
-  add_body(on_edge, {{4.5, 6.4}}, 0.45);
+  add_outline(on_edge, {{4.5, 6.4}}, 0.45);
   EXPECT_EQ(rough_sum(on_edge).doubts, 1);
   System<2> triple = system;
-  add_body(triple, {{6.5, 3.2}}, 0.3);
+  add_outline(triple, {{6.5, 3.2}}, 0.3);
   EXPECT_EQ(rough_sum(triple).doubts, 3);
   System<2> crossed = system;
-  add_body(crossed, {{4, 1}, {5, 1}, {5, 8}, {4, 8}}, 0.1);
+  add_outline(crossed, {{4, 1}, {5, 1}, {5, 8}, {4, 8}}, 0.1);
   EXPECT_EQ(rough_sum(crossed).doubts, 4);  // two edges of each
   for (const System<2>& s : {claw, on_edge, triple, crossed})
     EXPECT_GT(std::abs(rough_sum(s).total - packing_fraction(s, Outline::rough).total), 1e-6);
@@ -249,15 +250,15 @@ TEST(PackingFraction, DoesNotDependOnPlaceOrCopies) {
 
 TEST(PackingFraction, RefusesBodiesWithoutArea) {
   System<2> system = empty_cell(9, 9);
-  add_body(system, {{1, 1}, {1, 2}, {2, 1}}, 0.1);  // clockwise
+  add_outline(system, {{1, 1}, {1, 2}, {2, 1}}, 0.1);  // clockwise
   EXPECT_THROW(packing_fraction(system, Outline::rough), Error);
   EXPECT_THROW(rough_sum(system), Error);
   EXPECT_THROW(monte_carlo_fraction(system, Outline::rough, 1, 1), Error);
   system = empty_cell(9, 9);
-  add_body(system, {{1, 1}, {1, 2}}, 0.1);
+  add_outline(system, {{1, 1}, {1, 2}}, 0.1);
   EXPECT_THROW(packing_fraction(system, Outline::rough), Error);
   system = empty_cell(9, 9);
-  add_body(system, {{1, 1}, {2, 1}, {1, 2}}, 0.1);
+  add_outline(system, {{1, 1}, {2, 1}, {1, 2}}, 0.1);
   system.state.radius[1] = 0.2;
   EXPECT_NO_THROW(packing_fraction(system, Outline::rough));
   EXPECT_THROW(packing_fraction(system, Outline::smooth), Error);

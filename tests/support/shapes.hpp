@@ -17,7 +17,7 @@ inline System<2> empty_cell(double width, double height) {
 }
 
 /// Adds a body; `radius` is that of each of its sites.
-inline void add_body(System<2>& system, const Ring& ring, double radius) {
+inline void add_outline(System<2>& system, const Ring& ring, double radius) {
   for (const Vec2& x : ring) {
     const int site = system.state.size();
     system.state.resize(site + 1);
@@ -52,7 +52,7 @@ inline System<2> random_shapes(int bodies, std::uint64_t seed) {
     const int n = b % 4 == 3 ? 1 : 3 + static_cast<int>(draw.below(10));
     Ring ring = regular_polygon(n, 1, {}, draw.uniform(0, 7));
     for (Vec2& x : ring) x = centre + draw.uniform(0.4, 0.9) * x;
-    add_body(system, ring, n == 1 ? draw.uniform(0.2, 0.7) : draw.uniform(0.05, 0.4));
+    add_outline(system, ring, n == 1 ? draw.uniform(0.2, 0.7) : draw.uniform(0.05, 0.4));
   }
   return system;
 }
