@@ -51,7 +51,7 @@ TEST(Floor, SticksUpToCoulombAndIsDraggedBeyond) {
   system.box.periodic = {false, false};
   add_disc_body(system, {5, 0.4}, 0.5);
   ForceField field(std::make_shared<RoughContacts>(Harmonic{1}));
-  field.set_walls({{4, false}, 0.5, 2});
+  field.set_walls({{4, false}, 0.5, 0.5});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   EXPECT_EQ(out.force[0][0], 0);

@@ -77,6 +77,30 @@ TEST(PolygonShape, DropletObeysLaplace) {
   for (const Vec2& f : evaluate(fast_terms(), system).force) EXPECT_LT(norm(f), 1e-13);
 }
 
+std::vector<double> dense(const HessianBlocks<2>& blocks, int n) {
+  std::vector<double> h(static_cast<std::size_t>(4) * n * n);
+  for (const HessianBlock<2>& block : blocks)
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d < 2; ++d) {
+        const int row = 2 * block.a + c, column = 2 * block.b + d;
+        h[static_cast<std::size_t>(row) * 2 * n + column] += block.h[c][d];
+        if (block.a != block.b) h[static_cast<std::size_t>(column) * 2 * n + row] += block.h[c][d];
+      }
+  return h;
+}
+
+TEST(PolygonShape, HasTheHessianOfTheTermsItStandsFor) {
+  System<2> system = testing::random_polygons({.bodies = 4});
+  add_disc_body(system, {1, 1}, 0.5);
+  HessianBlocks<2> fast, slow;
+  PolygonShape().add_hessian(system, fast);
+  shape_terms(system).add_hessian(system, slow);
+  const std::vector<double> a = dense(fast, system.state.size()), b = dense(slow, system.state.size());
+  double largest = 0;
+  for (double x : b) largest = std::max(largest, std::abs(x));
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-13 * largest) << k;
+}
+
 TEST(PolygonShape, GivesTheSameBitsForOneAndTwoThreads) {
   const System<2> system = testing::random_polygons({.bodies = 1600});
   const Evaluation<2> one = evaluate(fast_terms(), system);

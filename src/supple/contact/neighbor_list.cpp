@@ -16,11 +16,13 @@ class CellGrid {
   CellGrid(const System<Dim>& system, const std::vector<double>& radius, double skin, double reach)
       : box_(system.box), radius_(radius), reach_(reach), skin_(skin) {
     if (!system.topology.begin.empty()) body_ = bodies_of_sites(system.topology, system.state.size());
+    // No more cells than a few for each site, however empty the box.
+    const int most = std::max(4, static_cast<int>(2 * std::pow(system.state.size(), 1.0 / Dim)));
     long cells = 1;
     for (int d = 0; d < Dim; ++d) {
       // A row is searched over up to four cells along the flow, three across; fewer would meet a cell twice.
       const int least = d == flow ? 4 : 3;
-      count_[d] = std::clamp(static_cast<int>(box_.length[d] / reach), 1, 1 << 10);
+      count_[d] = std::clamp(static_cast<int>(box_.length[d] / reach), 1, most);
       if (count_[d] < least) single_ = true;
     }
     if (single_) for (int& n : count_) n = 1;

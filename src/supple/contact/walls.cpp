@@ -25,11 +25,11 @@ void for_overlaps(const System<2>& system, const WallLaw& walls, const Visit& vi
 
 /// Friction of a site that presses on the floor with `normal`: a spring to the point where it sticks, which is dragged along when the
 /// spring pulls more than Coulomb allows.
-double drag(const WallLaw& walls, double x, double normal, double stuck_at, double& trial) {
+double drag(double friction, double spring, double x, double normal, double stuck_at, double& trial) {
   trial = std::isnan(stuck_at) ? x : stuck_at;
-  const double most = walls.floor_friction * normal / walls.floor_stiffness;
+  const double most = friction * normal / spring;
   trial = std::clamp(trial, x - most, x + most);
-  return walls.floor_stiffness * (trial - x);
+  return spring * (trial - x);
 }
 
 }  // namespace
@@ -44,8 +44,9 @@ void evaluate_walls(const System<2>& system, const WallLaw& walls, Detail detail
     force[d] = sign * push;
     if (friction && d == gradient && sign > 0) {
       const double stuck_at = system.floor_contact.size() == n ? system.floor_contact[i] : unstuck;
-      force[flow] = drag(walls, system.state.position[i][flow], push, stuck_at, out.trial_floor_contact[i]);
-      if (detail == Detail::energies) out.energy.tangential += 0.5 * force[flow] * force[flow] / walls.floor_stiffness;
+      const double along = walls.floor_stiffness * spring;
+      force[flow] = drag(walls.floor_friction, along, system.state.position[i][flow], push, stuck_at, out.trial_floor_contact[i]);
+      if (detail == Detail::energies) out.energy.tangential += 0.5 * force[flow] * force[flow] / along;
     }
     out.force[i] += force;
     out.wall.push_back({i, force});

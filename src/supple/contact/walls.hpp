@@ -14,7 +14,7 @@ namespace supple {
 struct WallLaw {
   Harmonic repulsion{4, false};
   double floor_friction = 0;      ///< Coulomb coefficient of the floor, the lower wall of the gradient direction
-  double floor_stiffness = 2;     ///< of the tangential spring to the point where a site sticks [force/length]
+  double floor_stiffness = 0.5;   ///< of the spring to the point where a site sticks, over that of the repulsion
   std::array<std::array<bool, 2>, 2> stands{{{true, true}, {true, true}}};
 };
 

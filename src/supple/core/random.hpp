@@ -10,7 +10,8 @@ namespace supple {
 /// What a stream is for. Append only: the numbers are part of every published seed.
 enum class Purpose : std::uint32_t {
   disc_position = 1, disc_size = 2, particle_seed = 3, edge_fuzziness = 4, cut_line = 5,
-  link_removal = 6, isolated_join = 7, coincident_normal = 8, area_sample = 12, test = 100
+  link_removal = 6, isolated_join = 7, coincident_normal = 8, body_position = 9, body_angle = 10,
+  body_velocity = 11, area_sample = 12, test = 100
 };
 
 /// Index of a stream that belongs to two numbers, such as a repeated attempt and a disc; neither may be negative.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/force/ring_hessian.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "supple/geometry/turning_angle.hpp"
 
@@ -214,7 +215,7 @@ void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2
 }
 
 void PolygonShape::add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const {
-  shape_terms(system).add_hessian(system, blocks);
+  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) add_ring_hessian(system, static_cast<int>(b), blocks);
 }
 
 }  // namespace supple

@@ -98,10 +98,26 @@ BodyDegrees::Columns BodyDegrees::columns_of(const System<2>& system, std::int32
   return columns;
 }
 
-std::vector<MatrixEntry> BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& blocks,
-                                              const std::vector<Vec2>& force) const {
-  std::vector<MatrixEntry> entries;
+namespace {
+
+/// Where every number is a coordinate of a site: nothing to look up.
+void copy_blocks(const HessianBlocks<2>& blocks, std::vector<MatrixEntry>& entries) {
+  for (const HessianBlock<2>& block : blocks)
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d < 2; ++d) {
+        const std::int32_t row = 2 * block.a + c, column = 2 * block.b + d;
+        if (block.a == block.b && row < column) continue;
+        entries.emplace_back(std::max(row, column), std::min(row, column), block.h[c][d]);
+      }
+}
+
+}  // namespace
+
+void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& blocks, const std::vector<Vec2>& force,
+                          std::vector<MatrixEntry>& entries) const {
+  entries.clear();
   entries.reserve(4 * blocks.size());
+  if (plain_) return copy_blocks(blocks, entries);
   for (const HessianBlock<2>& block : blocks) {
     const Columns rows = columns_of(system, block.a), columns = columns_of(system, block.b);
     for (const Column& p : rows)
@@ -124,7 +140,6 @@ std::vector<MatrixEntry> BodyDegrees::hessian(const System<2>& system, const Hes
     const std::int32_t angle = first_[first_site] + 2;
     entries.emplace_back(angle, angle, value * system.rigid.mass[r] / system.rigid.inertia[r]);
   }
-  return entries;
 }
 
 std::vector<double> BodyDegrees::masses(const System<2>& system) const {

@@ -39,7 +39,14 @@ class BodyDegrees {
   /// d2U/dq2 = J^T H J + sum over sites of dU/dx d2x/dq2, J = dx/dq: lower triangle, of second derivatives by the sites
   /// and of the forces at the same positions.
   std::vector<MatrixEntry> hessian(const System<2>& system, const HessianBlocks<2>& blocks,
-                                   const std::vector<Vec2>& force) const;
+                                   const std::vector<Vec2>& force) const {
+    std::vector<MatrixEntry> entries;
+    hessian(system, blocks, force, entries);
+    return entries;
+  }
+  /// The same into a vector that keeps its memory.
+  void hessian(const System<2>& system, const HessianBlocks<2>& blocks, const std::vector<Vec2>& force,
+               std::vector<MatrixEntry>& entries) const;
   /// Mass of each number: q moves by mass d2q/dt2 = -dU/dq.
   std::vector<double> masses(const System<2>& system) const;
 

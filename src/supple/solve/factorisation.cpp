@@ -41,28 +41,27 @@ bool Factorisation::factorise(double shift) {
   solver_.factorize(upper_);
   count_work();
   if (solver_.info() != Eigen::Success) return false;
-  const Eigen::VectorXd& pivot = solver_.vectorD();
-  for (Eigen::Index i = 0; i < pivot.size(); ++i)
-    if (!(pivot[i] > 0)) return false;
+  pivot_ = solver_.vectorD();  // a copy: Eigen gives it by value
+  for (Eigen::Index i = 0; i < pivot_.size(); ++i)
+    if (!(pivot_[i] > 0)) return false;
   return true;
 }
 
 double Factorisation::negative_curvature() {
   if (solver_.info() != Eigen::Success) return 0;  // a pivot was exactly zero
-  const Eigen::VectorXd& pivot = solver_.vectorD();
-  const Eigen::Index least = std::min_element(pivot.data(), pivot.data() + pivot.size()) - pivot.data();
+  const Eigen::Index least = std::min_element(pivot_.data(), pivot_.data() + pivot_.size()) - pivot_.data();
   work_.setZero(upper_.rows());
   work_[least] = 1;
   solver_.matrixU().solveInPlace(work_);  // z with L^T z = e, so that z.Az = D
   const std::span<const double> z(work_.data(), static_cast<std::size_t>(work_.size()));
-  return pivot[least] / dot(z, z);
+  return pivot_[least] / dot(z, z);
 }
 
 void Factorisation::solve(std::span<double> b) {
   Eigen::Map<Eigen::VectorXd> vector(b.data(), static_cast<Eigen::Index>(b.size()));
   work_ = order_ * vector;
   solver_.matrixL().solveInPlace(work_);
-  for (Eigen::Index i = 0; i < work_.size(); ++i) work_[i] /= solver_.vectorD()[i];
+  work_.array() /= pivot_.array();
   solver_.matrixU().solveInPlace(work_);
   vector = order_.transpose() * work_;
 }

@@ -32,7 +32,7 @@ class Factorisation {
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
   SparseMatrix upper_;  ///< in the order of elimination
-  Eigen::VectorXd work_;
+  Eigen::VectorXd work_, pivot_;
   double largest_diagonal_ = 0, factorise_work_ = 0, solve_work_ = 0;
   double work_when_ordered_ = 0;
 };

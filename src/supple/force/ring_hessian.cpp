@@ -1,0 +1,127 @@
+#include "supple/force/ring_hessian.hpp"
+
+#include <cmath>
+
+#include "supple/geometry/facet.hpp"
+#include "supple/geometry/hinge.hpp"
+
+namespace supple {
+
+namespace {
+
+/// The lower blocks of a ring of n vertices, in rows.
+class RingBlocks {
+ public:
+  RingBlocks(int first, int n, HessianBlocks<2>& blocks) : n_(n), begin_(blocks.size()), blocks_(blocks) {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= i; ++j) blocks.push_back({first + i, first + j, {}});
+  }
+  Mat2& at(int i, int j) { return blocks_[begin_ + static_cast<std::size_t>(i * (i + 1) / 2 + j)].h; }
+
+  /// Adds d2U/(dx_i dx_j) = m where the block is a lower one.
+  void add(int i, int j, double sign, const Mat2& m) {
+    if (i < j) return;
+    Mat2& h = at(i, j);
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d < 2; ++d) h[c][d] += sign * m[c][d];
+  }
+  /// Adds d2U/(de_i de_j) = m of edges e_i = x_(i+1) - x_i.
+  void add_edges(int i, int j, const Mat2& m) {
+    const int i1 = i + 1 < n_ ? i + 1 : 0, j1 = j + 1 < n_ ? j + 1 : 0;
+    add(i1, j1, 1, m);
+    add(i1, j, -1, m);
+    add(i, j1, -1, m);
+    add(i, j, 1, m);
+  }
+
+ private:
+  int n_;
+  std::size_t begin_;
+  HessianBlocks<2>& blocks_;
+};
+
+struct EdgeNumbers {
+  Vec2 e, unit, turn;  ///< vector; over its length; slope of its direction angle, turned_left(e)/l^2
+  double length, moment = 0;  ///< moment dU/d(theta) at the vertex that it leaves
+};
+
+/// Stretching and tension, and bending by the angles at both ends.
+void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const std::vector<EdgeNumbers>& edges, RingBlocks& ring) {
+  const int n = static_cast<int>(edges.size());
+  for (int i = 0; i < n; ++i) {
+    const EdgeNumbers& edge = edges[i];
+    const EdgeNumbers& before = edges[i > 0 ? i - 1 : n - 1];
+    const EdgeNumbers& after = edges[i + 1 < n ? i + 1 : 0];
+    const double pull = (k.facet * (edge.length - rest_length[i]) + k.tension) / edge.length;
+    Mat2 m;
+    m.add_outer(k.facet - pull, edge.unit, edge.unit);
+    m[0][0] += pull;
+    m[1][1] += pull;
+    if (k.hinge != 0) {
+      // The angle of e turns by turn.de, and turn by J (1 - 2 u u^T) de / l^2.
+      m.add_outer(2 * k.hinge, edge.turn, edge.turn);
+      const double moment = (edge.moment - after.moment) / (edge.length * edge.length);
+      const double xx = edge.unit[0] * edge.unit[0], xy = edge.unit[0] * edge.unit[1], yy = edge.unit[1] * edge.unit[1];
+      m[0][0] += moment * 2 * xy;
+      m[0][1] += moment * (2 * yy - 1);
+      m[1][0] += moment * (1 - 2 * xx);
+      m[1][1] -= moment * 2 * xy;
+      Mat2 cross;
+      cross.add_outer(-k.hinge, before.turn, edge.turn);
+      const int p = i > 0 ? i - 1 : n - 1;
+      ring.add_edges(p, i, cross);
+      ring.add_edges(i, p, {{{cross[0][0], cross[1][0]}, {cross[0][1], cross[1][1]}}});
+    }
+    ring.add_edges(i, i, m);
+  }
+}
+
+/// k_a (da/dx)(da/dx)^T + k_a (a - a0) d2a/dx2.
+void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, RingBlocks& ring) {
+  const int n = static_cast<int>(edges.size());
+  std::vector<Vec2> slope(edges.size());
+  double area = 0;
+  Vec2 from_first{};
+  for (int i = 0; i < n; ++i) {
+    const Vec2 across = edges[i].e + edges[i > 0 ? i - 1 : n - 1].e;
+    slope[i] = {0.5 * across[1], -0.5 * across[0]};
+    area += 0.5 * cross(from_first, edges[i].e);
+    from_first += edges[i].e;
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) ring.at(i, j).add_outer(k, slope[i], slope[j]);
+  const double half = 0.5 * k * (area - rest);
+  const Mat2 next{{{0, -half}, {half, 0}}};  // by x_(i+1) and x_i
+  for (int i = 0; i < n; ++i) {
+    const int after = i + 1 < n ? i + 1 : 0;
+    ring.add(after, i, 1, next);
+    ring.add(i, after, -1, next);
+  }
+}
+
+}  // namespace
+
+void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks) {
+  const Topology<2>& t = system.topology;
+  const int first = t.begin[b], n = t.begin[b + 1] - first, facet = t.facet_begin[b];
+  if (t.facet_begin[b + 1] - facet != n) return;  // a disc
+  const ShapeStiffness& k = system.shape.stiffness[b];
+  if (k.volume == 0 && k.facet == 0 && k.hinge == 0 && k.tension == 0) return;  // rigid
+  std::vector<EdgeNumbers> edges(static_cast<std::size_t>(n));
+  const Vec2* x = &system.state.position[first];
+  for (int i = 0; i < n; ++i) {
+    const Vec2 e = x[i + 1 < n ? i + 1 : 0] - x[i];
+    const double length = norm(e);
+    edges[i] = {e, (1 / length) * e, (1 / (length * length)) * turned_left(e), length};
+  }
+  if (k.hinge != 0)
+    for (int i = 0; i < n; ++i) {
+      const Vec2 corner[3] = {x[i > 0 ? i - 1 : n - 1], x[i], x[i + 1 < n ? i + 1 : 0]};
+      edges[i].moment = k.hinge * (hinge_angle(corner) - system.shape.rest_hinge[t.hinge_begin[b] + i]);
+    }
+  RingBlocks ring(first, n, blocks);
+  add_edge_energies(k, &system.shape.rest_facet[facet], edges, ring);
+  if (k.volume != 0) add_area_energy(k.volume, system.shape.rest_volume[b], edges, ring);
+}
+
+}  // namespace supple

@@ -1,0 +1,104 @@
+#include "supple/solve/body_objective.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace supple {
+
+double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
+  double sum = 0;
+  const std::vector<ContactRecord<2>> records = contacts.records(system);
+  for (const ContactRecord<2>& r : records) sum += std::abs(r.multiplicity) * contacts.law().force(r.distance(), r.reach);
+  return records.empty() ? 0 : sum / static_cast<double>(records.size());
+}
+
+namespace {
+
+/// Sums entries into a matrix: by columns with a counting sort, then each column by rows.
+void assemble(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& lower) {
+  std::vector<std::int32_t> begin(static_cast<std::size_t>(n) + 1);
+  for (const MatrixEntry& e : entries) ++begin[e.col() + 1];
+  for (int c = 0; c < n; ++c) begin[c + 1] += begin[c];
+  std::vector<std::pair<std::int32_t, double>> sorted(entries.size());
+  std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
+  for (const MatrixEntry& e : entries) sorted[next[e.col()]++] = {e.row(), e.value()};
+
+  lower.resize(n, n);
+  lower.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
+  int at = 0;
+  for (int c = 0; c < n; ++c) {
+    lower.outerIndexPtr()[c] = at;
+    std::stable_sort(sorted.begin() + begin[c], sorted.begin() + begin[c + 1],
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::int32_t k = begin[c]; k < begin[c + 1]; ++k) {
+      if (k > begin[c] && sorted[k].first == sorted[k - 1].first) {
+        lower.valuePtr()[at - 1] += sorted[k].second;
+        continue;
+      }
+      lower.innerIndexPtr()[at] = sorted[k].first;
+      lower.valuePtr()[at++] = sorted[k].second;
+    }
+  }
+  lower.outerIndexPtr()[n] = at;
+  lower.resizeNonZeros(at);
+}
+
+/// Stiffness of the stiffest vertex [energy/length^2]: two edges and three corners, or a contact.
+double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
+  double most = 0;
+  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) {
+    const ShapeStiffness& k = system.shape.stiffness[b];
+    const std::int32_t first = system.topology.facet_begin[b], end = system.topology.facet_begin[b + 1];
+    if (first == end) continue;
+    const double l = *std::min_element(&system.shape.rest_facet[first], &system.shape.rest_facet[first] + (end - first));
+    most = std::max(most, 2 * k.facet + 6 * k.hinge / (l * l) + k.tension / l);
+  }
+  if (contacts && !system.state.radius.empty())
+    most = std::max(most, contacts->law().spring(2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
+  return most;
+}
+
+}  // namespace
+
+BodyObjective::BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance)
+    : system_(system), field_(field), degrees_(system), tolerance_(tolerance), tolerance_now_(tolerance.least),
+      stiffness_(vertex_stiffness(system, field.bodies())) {
+  const std::vector<double>& radius = system.state.radius;
+  largest_move_ = radius.empty() ? 1 : 0.2 * *std::min_element(radius.begin(), radius.end());
+}
+
+std::vector<double> BodyObjective::coordinates() const {
+  std::vector<double> x(static_cast<std::size_t>(size()));
+  degrees_.read(system_, x);
+  return x;
+}
+
+double BodyObjective::evaluate(std::span<const double> x, std::span<double> slope) {
+  degrees_.write(x, system_);
+  field_.evaluate(system_, Detail::energies, out_);
+  degrees_.gradient(system_, out_.force, slope);
+  // The mean contact force changes slowly: it need not be counted at every step, only before one believes the tolerance.
+  if (--until_refresh_ < 0 || largest(slope) <= tolerance_now_) refresh_tolerance(x);
+  return out_.energy.stored();
+}
+
+void BodyObjective::refresh_tolerance(std::span<const double> x) {
+  constexpr int interval = 100;
+  until_refresh_ = interval;
+  const double mean = field_.bodies() ? mean_contact_force(system_, *field_.bodies()) : 0;
+  // A position is known to half a unit in its last digit; four edges and moments add up at a vertex.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest(x) * stiffness_;
+  tolerance_now_ = std::max({tolerance_.least, rounding, tolerance_.relative * mean});
+}
+
+void BodyObjective::hessian(std::span<const double> x, SparseMatrix& lower) {
+  degrees_.write(x, system_);
+  blocks_.clear();
+  field_.add_hessian(system_, blocks_);
+  // The angle of a rigid body turns its sites on circles, so that their forces enter.
+  if (!system_.rigid.body.empty()) field_.evaluate(system_, Detail::forces, out_);
+  degrees_.hessian(system_, blocks_, out_.force, entries_);
+  assemble(size(), entries_, lower);
+}
+
+}  // namespace supple
