@@ -20,6 +20,8 @@ struct Units {
 };
 
 inline Units si_units() { return {}; }
+/// Units without names: deformable particles, whose lengths count in the size of a particle.
+inline Units reduced_units() { return {"reduced", 1, 1, 1}; }
 /// Units of the published package and its files: micrometre, milligram, second.
 inline Units particleshear_units() { return {"um mg s", 1e-6, 1e-6, 1}; }
 
