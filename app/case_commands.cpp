@@ -23,6 +23,11 @@ using Json = nlohmann::ordered_json;
 /// Keys that a first case of the experiment shows set, because everybody changes them.
 std::set<std::string> first_keys(const std::string& experiment) {
   if (experiment == "dynamics") return {"experiment", "initial.state", "time.steps", "shear.rate"};
+  if (experiment == "jamming") return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
+  if (experiment == "compression") return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
+  if (experiment == "uniaxial_compression")
+    return {"experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
+  if (experiment == "slump") return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "motion.damping"};
   return {"experiment",          "seed",
           "particles.N",         "particles.packing_fraction",
           "particles.cut_lines", "material.young_modulus",
@@ -89,6 +94,7 @@ std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState
 Case load_case(const CaseChoice& choice) {
   Case c = read_case(choice.path, choice.set);
   if (choice.threads > 0) c.general.threads = choice.threads;
+  resolve_family(c);
   supple::check(c);
   thread_count() = c.general.threads;
   return c;
@@ -126,7 +132,8 @@ void check(const CaseChoice& choice, Format format) {
   const std::optional<InitialState> initial = load_initial(c);
   const std::vector<Derived> derived = derive_case(c, initial);
   const std::vector<std::string> doubts = find_doubts(c);
-  const int discs = initial ? initial->system.state.size() : c.particles.discs;
+  const auto of_case = find(derived, "vertices");
+  const int discs = initial ? initial->system.state.size() : of_case ? static_cast<int>(*of_case) : c.particles.discs;
   const auto steps = find(derived, "steps");
   const double estimate = steps.value_or(0) * discs * seconds_per_disc_step / c.general.threads;
 
@@ -139,8 +146,12 @@ void check(const CaseChoice& choice, Format format) {
     fmt::print("{}\n", j.dump(2));
     return;
   }
-  fmt::print("{}: sound\n{} of {} discs, {} model, seed {}\n\n", choice.path, c.general.experiment, discs,
-             c.general.physics, c.general.seed);
+  if (is_deformable(c))
+    fmt::print("{}: sound\n{} of {} sites, deformable particles, seed {}\n\n", choice.path, c.general.experiment, discs,
+               c.general.seed);
+  else
+    fmt::print("{}: sound\n{} of {} discs, {} model, seed {}\n\n", choice.path, c.general.experiment, discs, c.general.physics,
+               c.general.seed);
   for (const Derived& d : derived)
     fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
   if (steps)

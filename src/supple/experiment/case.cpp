@@ -9,9 +9,9 @@ constexpr Range at_least_zero = not_negative;
 template <>
 const Fields<General>& fields() {
   static const Fields<General> f{
-      {"experiment", &General::experiment, "", "what to run", any_value, {"oscillatory_shear", "dynamics"}},
-      {"physics", &General::physics, "", "the documented model, or what the published package computes", any_value,
-       {"documented", "particleshear-1.0.2"}},
+      {"experiment", &General::experiment, "", "what to run", any_value, {"oscillatory_shear", "dynamics", "jamming", "compression", "uniaxial_compression", "slump"}},
+      {"physics", &General::physics, "", "microgel discs as documented, or as the published package computes them; or deformable particles",
+       any_value, {"documented", "particleshear-1.0.2", "deformable"}},
       {"seed", &General::seed, "", "key of all random numbers", at_least_zero},
       {"threads", &General::threads, "", "threads; results do not depend on it", {1, 1024}},
   };
@@ -132,6 +132,7 @@ template <>
 const Fields<Initial>& fields() {
   static const Fields<Initial> f{
       {"state", &Initial::state, "", "file to start from: a run of Supple, or the reference's JSON"},
+      {"packing", &Initial::packing, "", "packing of polygons to start from: a JSON file"},
   };
   return f;
 }

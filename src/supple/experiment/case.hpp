@@ -65,7 +65,58 @@ struct Preparation {
 };
 
 struct Initial {
-  std::string state;  ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
+  std::string state;    ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
+  std::string packing;  ///< path of a packing of polygons (JSON); empty: made from [bodies]
+};
+
+/// Deformable particles, in units in which the preferred area of a small one is 1.
+struct Bodies {
+  std::string family = "shell";
+  int count = 64, vertices = 20;
+  std::string vertex_rule = "equal";
+  double size_ratio = 1.4, large_fraction = 0.5;
+  double shape_parameter = 0;  ///< 0: of the regular polygon
+  double diameter_ratio = 1;
+  std::string stiffness = "relative";
+  double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
+  int discs = 0;
+  double yield_strain = 0, flow_time = 0;
+};
+
+struct Touch {
+  std::string kind = "rough";
+  double k_c = 1, k_p = 4, floor_friction = 0;
+};
+
+struct Minimisation {
+  std::string method = "auto";
+  double force_tolerance = 1e-6, least_force = 0;
+  std::int64_t max_evaluations = 1000000;
+};
+
+struct Jamming {
+  double packing_fraction = 1e-3, step = 1e-3;
+  double pressure = 1e-7, window = 0.01;
+  std::string search = "root", pressure_kind = "full";
+};
+
+struct Compression {
+  double highest_pressure = 1e-2;
+  int per_decade = 4;
+  bool decompress = true;
+};
+
+struct Uniaxial {
+  double strain = 0.2, step = 0.002, packing_fraction = 0.8, aspect_ratio = 1;
+};
+
+struct Slump {
+  double gravity = 1e-4, width = 6, drop_spacing = 1.1;
+  double settle_time = 2000, spread_time = 6000;
+};
+
+struct Motion {
+  double damping = 0, kinetic_energy = 0;
 };
 
 struct Output {
@@ -90,6 +141,14 @@ struct Case {
   Shear shear;
   Stepping time;
   Preparation preparation;
+  Bodies bodies;
+  Touch contact;
+  Minimisation minimise;
+  Jamming jamming;
+  Compression compression;
+  Uniaxial uniaxial;
+  Slump slump;
+  Motion motion;
   Initial initial;
   Output output;
   std::set<std::string> given;
@@ -107,6 +166,14 @@ template <> const Fields<Cell>& fields();
 template <> const Fields<Shear>& fields();
 template <> const Fields<Stepping>& fields();
 template <> const Fields<Preparation>& fields();
+template <> const Fields<Bodies>& fields();
+template <> const Fields<Touch>& fields();
+template <> const Fields<Minimisation>& fields();
+template <> const Fields<Jamming>& fields();
+template <> const Fields<Compression>& fields();
+template <> const Fields<Uniaxial>& fields();
+template <> const Fields<Slump>& fields();
+template <> const Fields<Motion>& fields();
 template <> const Fields<Initial>& fields();
 template <> const Fields<Output>& fields();
 
@@ -120,9 +187,26 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("shear", c.shear);
   visit("time", c.time);
   visit("preparation", c.preparation);
+  visit("bodies", c.bodies);
+  visit("contact", c.contact);
+  visit("minimise", c.minimise);
+  visit("jamming", c.jamming);
+  visit("compression", c.compression);
+  visit("uniaxial", c.uniaxial);
+  visit("slump", c.slump);
+  visit("motion", c.motion);
   visit("initial", c.initial);
   visit("output", c.output);
 }
+
+/// Whether the case is about deformable particles: by its experiment, or for dynamics by what it starts from.
+bool is_deformable(const Case& c);
+
+/// The sections that the case's experiment reads.
+std::vector<std::string> sections_of(const Case& c);
+
+/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1].
+void resolve_family(Case& c);
 
 /// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).
 /// Throws one input error, a line for each problem; ranges of single keys are checked where the case is read.

@@ -6,6 +6,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/model/discs.hpp"
+#include "supple/model/polygons.hpp"
 
 namespace supple {
 
@@ -66,18 +67,74 @@ void check_shear(const Case& c, Problems& problems) {
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
 
+/// Deformable particles: what one key cannot know of another.
+void check_bodies(const Case& c, Problems& problems) {
+  const Bodies& b = c.bodies;
+  const bool polygons = b.family != "disc";
+  const double least = least_shape_parameter(b.vertices);
+  if (polygons && b.shape_parameter > 0 && b.shape_parameter < least * (1 - 1e-12))
+    add(problems, c, fmt::format("bodies.A0 = {} with bodies.vertices = {}", b.shape_parameter, b.vertices),
+        fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least), "raise A0, or 0 for the regular polygon");
+  if (!c.initial.state.empty() && !c.initial.packing.empty())
+    add(problems, c, "initial.state and initial.packing", "a run starts from one of them", "leave one away");
+  if (b.family == "rough_disc" && c.contact.kind == "smooth")
+    add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"", "a rough disc is a ring of vertices",
+        "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
+  if (c.general.experiment == "compression" && c.compression.highest_pressure <= c.jamming.pressure)
+    add(problems, c, fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", c.compression.highest_pressure,
+                                 c.jamming.pressure),
+        "compression goes from the one to the other", "raise the first or lower the second");
+}
+
+/// Keys of sections that the experiment does not read.
+void find_idle_sections(const Case& c, std::vector<std::string>& doubts) {
+  const std::vector<std::string> read = sections_of(c);
+  for (const std::string& key : c.given) {
+    const auto dot = key.find('.');
+    const std::string section = dot == key.npos ? "" : key.substr(0, dot);
+    if (std::find(read.begin(), read.end(), section) == read.end())
+      doubts.push_back(fmt::format("{} has no effect on experiment = \"{}\"{}", key, c.general.experiment,
+                                   is_deformable(c) ? " of deformable particles" : ""));
+  }
+}
+
+std::vector<std::string> find_body_doubts(const Case& c) {
+  std::vector<std::string> doubts;
+  const Bodies& b = c.bodies;
+  const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
+    if (c.is_given(std::string(key)) && !used) doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
+  };
+  const bool soft = b.family != "disc" && b.family != "rough_disc";
+  for (const auto key : {"bodies.A0", "bodies.k_a", "bodies.k_l", "bodies.k_b", "bodies.gamma"})
+    idle(key, soft, "a family of deformable particles");
+  for (const auto key : {"bodies.vertices", "bodies.vertex_rule", "bodies.diameter_ratio", "bodies.discs"})
+    idle(key, b.family != "disc", "a family of polygons");
+  idle("bodies.yield_strain", b.flow_time > 0, "bodies.flow_time");
+  if (soft && b.family == "floppy" && b.k_b > 0) doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
+  if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 0.5)
+    doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices", b.diameter_ratio));
+  find_idle_sections(c, doubts);
+  return doubts;
+}
+
 }  // namespace
 
 void check(const Case& c) {
   Problems problems;
-  check_material(c, problems);
-  check_shear(c, problems);
-  if (c.initial.state.empty()) check_packing(c, problems);
+  if (is_deformable(c)) {
+    check_bodies(c, problems);
+  } else {
+    check_material(c, problems);
+    check_shear(c, problems);
+    if (c.initial.state.empty()) check_packing(c, problems);
+  }
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 std::vector<std::string> find_doubts(const Case& c) {
+  if (is_deformable(c)) return find_body_doubts(c);
   std::vector<std::string> doubts;
+  find_idle_sections(c, doubts);
   const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
     if (c.is_given(std::string(key)) && !used)
       doubts.push_back(fmt::format("{} has no effect without {}", key, needed));

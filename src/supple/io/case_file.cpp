@@ -317,9 +317,8 @@ Case read_case_text(const std::string& text, const std::string& name,
     reader.report(e.source(), "this is not valid TOML", std::string(e.description()));
   }
   reader.finish();
-  if (c.is_given("initial.state") && !c.initial.state.empty())
-    c.initial.state =
-        (std::filesystem::path(name).parent_path() / c.initial.state).lexically_normal().string();
+  for (auto* path : {&c.initial.state, &c.initial.packing})
+    if (!path->empty()) *path = (std::filesystem::path(name).parent_path() / *path).lexically_normal().string();
   for (const std::string& text_of_override : overrides) apply_override(c, text_of_override);
   return c;
 }

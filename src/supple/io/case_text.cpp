@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <type_traits>
 
@@ -78,7 +79,9 @@ std::string write_case(const Case& c, CaseStyle style) {
     out =
         "# A case of Supple. Keys that begin with # hold their default: take the # away to change one.\n"
         "# Numbers are in the unit in brackets, or carry their own: width = \"500 um\".\n\n";
+  const std::vector<std::string> read = sections_of(c);
   for_each_section(c, [&](std::string_view section, const auto& parameters) {
+    if (std::find(read.begin(), read.end(), section) == read.end()) return;
     if (!section.empty()) out += fmt::format("\n[{}]\n", section);
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>()) {
       const std::string value =
