@@ -33,6 +33,7 @@ double damping_per_step(const Case& c, const InitialState* initial, double time_
 }  // namespace
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
+  if (is_deformable(c)) return derive_body_dynamics(c, initial);
   Expression(c.shear.rate, {"t"}, "[shear] rate");
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
@@ -43,6 +44,7 @@ std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial)
 }
 
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  if (is_deformable(c)) return run_body_dynamics(c, initial, recorder);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);

@@ -8,7 +8,13 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       {"oscillatory_shear", "G' and G'' of a suspension of crosslinked particles under oscillatory shear",
        derive_oscillatory_shear, run_oscillatory_shear},
-      {"dynamics", "discs moving under a prescribed shear rate, every step recorded", derive_dynamics, run_dynamics},
+      {"dynamics", "discs moving under a prescribed shear rate, every step recorded; or deformable particles", derive_dynamics,
+       run_dynamics},
+      {"jamming", "isotropic compression of deformable particles to a jammed packing (9.4)", derive_jamming, run_jamming},
+      {"compression", "a jammed packing to a list of pressures, and back: P against phi (9.13)", derive_compression, run_compression},
+      {"uniaxial_compression", "deformable particles squeezed in a box of walls (9.4)", derive_uniaxial_compression,
+       run_uniaxial_compression},
+      {"slump", "a heap under gravity spreads when a wall is taken away (9.3)", derive_slump, run_slump},
   };
   return all;
 }

@@ -30,5 +30,16 @@ std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState*
 void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder);
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial);
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial);
+void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_compression(const Case& c, const InitialState* initial);
+void run_compression(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial);
+void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_slump(const Case& c, const InitialState* initial);
+void run_slump(const Case& c, const InitialState* initial, Recorder& recorder);
+/// `dynamics` of deformable particles.
+std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial);
+void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
 
 }  // namespace supple

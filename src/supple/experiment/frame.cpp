@@ -29,6 +29,22 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
   return frame;
 }
 
+Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const std::vector<ContactRecord<2>>&, const Harmonic&) {
+  const State<2>& s = system.state;
+  Frame frame;
+  frame.step = system.step;
+  frame.time = system.time;
+  frame.position = s.position;
+  frame.velocity = s.velocity;
+  frame.force = evaluation.force;
+  frame.angle = s.angle;
+  frame.spin = s.spin;
+  frame.torque = evaluation.torque;
+  frame.mobility = s.mobility;
+  frame.length = system.box.length;
+  return frame;
+}
+
 RunInfo make_run_info(const System<2>& system, const Units& units) {
   return {units, system.box, system.state.radius, system.state.mass, system.state.inertia, connected_particles(system)};
 }

@@ -33,6 +33,8 @@ struct Frame {
   std::vector<double> angle, spin, torque;
   std::vector<Mobility> mobility;
   std::vector<ContactRow> contacts;
+  Vec2 length{};
+  std::map<std::string, std::vector<double>> body;
 };
 
 /// What a run is, written before the first step. Discs keep size and mass, so they stand here and not in frames.
@@ -41,6 +43,7 @@ struct RunInfo {
   Box<2> box;
   std::vector<double> radius, mass, inertia;
   std::vector<std::int32_t> particle;  ///< crosslinked particle of each disc, 0-based
+  std::vector<std::int32_t> body_begin;
 };
 
 /// Streams that an experiment may write: "preparation" (before the protocol) and "stress" (one row per step).

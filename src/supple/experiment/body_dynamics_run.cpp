@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <string>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/body_motion.hpp"
+#include "supple/experiment/experiments.hpp"
+
+namespace supple {
+
+namespace {
+
+/// Rows of the table of a motion, whatever its number of steps.
+constexpr std::int64_t rows = 1000;
+
+std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max<std::int64_t>(1, steps / wanted); }
+
+}  // namespace
+
+std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  std::vector<Derived> all = derived_packing(packing);
+  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing)});
+  all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
+  return all;
+}
+
+void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  System<2>& s = packing.system;
+  if (c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
+  const double dt = body_time_step(c, packing);
+  BodyDynamics dynamics(*packing.field, c.motion.damping);
+  begin_packing(packing, derive_body_dynamics(c, initial), recorder);
+  recorder.declare("motion", motion_columns());
+  const std::int64_t steps = c.time.steps, per_row = interval(steps, rows), per_frame = interval(steps, c.output.frames);
+  for (std::int64_t i = 0; i < steps; ++i) {
+    if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+    if (i % per_frame == 0) recorder.frame(packing_frame(packing, report_packing(packing)));
+    dynamics.advance(s, dt);
+    if (i % 256 == 0) recorder.progress("dynamics", i, steps);
+    if (!recorder.stop_requested()) continue;
+    hand_over(packing, recorder);
+    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+  }
+  recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+  record_packing(packing, {}, recorder);
+}
+
+}  // namespace supple

@@ -1,0 +1,18 @@
+/// Steps of bodies in time, as experiments need them.
+#pragma once
+#include "supple/experiment/packing_record.hpp"
+#include "supple/solve/body_dynamics.hpp"
+
+namespace supple {
+
+/// Step of the case, or the default one times its step_factor.
+double body_time_step(const Case& c, Packing& packing);
+
+/// Gaussian velocities of this mean kinetic energy per site, without net momentum.
+void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed);
+
+/// Columns of a table of a motion: time, energies, momentum, pressure.
+std::vector<Column> motion_columns();
+std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation);
+
+}  // namespace supple

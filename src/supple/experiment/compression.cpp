@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/packing_record.hpp"
+
+namespace supple {
+
+namespace {
+
+/// From the jamming pressure to the highest, equally spaced in the logarithm.
+std::vector<double> pressure_list(const Case& c) {
+  const double low = c.jamming.pressure, high = c.compression.highest_pressure;
+  if (!(high > low))
+    throw input_error(fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low), "",
+                      "compression goes from the one to the other");
+  const int steps = std::max(1, static_cast<int>(std::lround(c.compression.per_decade * std::log10(high / low))));
+  std::vector<double> list;
+  for (int k = 0; k <= steps; ++k) list.push_back(low * std::pow(high / low, static_cast<double>(k) / steps));
+  return list;
+}
+
+/// What is remembered of the packing at the pressure before.
+struct Snapshot {
+  std::vector<ContactNetwork::Pair> pairs;
+  std::vector<Vec2> centre;
+  Box<2> box;
+};
+
+struct NetworkChange {
+  double lost = 0, made = 0, displacement = 0;
+  double rearranged() const { return displacement > 0.1 && lost + made > 0; }
+};
+
+/// Contacts lost and made, and the largest motion of a centre relative to the affine strain, in diameters of a disc of area 1.
+NetworkChange compare(const Snapshot& before, const Snapshot& now) {
+  NetworkChange change;
+  if (before.centre.empty()) return change;
+  const auto has = [](const Snapshot& s, const ContactNetwork::Pair& p) {
+    return std::any_of(s.pairs.begin(), s.pairs.end(),
+                       [&](const ContactNetwork::Pair& q) { return q.first == p.first && q.second == p.second; });
+  };
+  for (const auto& p : before.pairs) change.lost += !has(now, p);
+  for (const auto& p : now.pairs) change.made += !has(before, p);
+  const double factor = now.box.length[0] / before.box.length[0];
+  Vec2 drift{};  // the packing as a whole may slide
+  for (std::size_t b = 0; b < now.centre.size(); ++b)
+    drift += (1.0 / static_cast<double>(now.centre.size())) * (now.centre[b] - factor * before.centre[b]);
+  const double diameter = 2 / std::sqrt(std::numbers::pi);
+  for (std::size_t b = 0; b < now.centre.size(); ++b)
+    change.displacement = std::max(change.displacement, norm(now.centre[b] - factor * before.centre[b] - drift) / diameter);
+  return change;
+}
+
+/// Which way the list is walked; a column of the table.
+enum class Branch { compression = 1, decompression = -1 };
+
+}  // namespace
+
+std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
+  std::vector<Derived> all = derive_jamming(c, initial);
+  all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
+  return all;
+}
+
+void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
+  const std::vector<double> list = pressure_list(c);
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  begin_packing(packing, derive_compression(c, initial), recorder);
+  std::vector<Column> columns = packing_columns();
+  columns.push_back({"branch", "", "1: compression, -1: decompression"});
+  columns.push_back({"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
+  columns.push_back({"new_contacts", "", "pairs of particles that touch and did not at the pressure before"});
+  columns.push_back({"displacement", "small diameter", "largest motion of a particle relative to the strain since the pressure before"});
+  columns.push_back({"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"});
+  recorder.declare("packing", columns);
+  JamSpec spec = jam_spec(c);
+  JamProgress last;
+  Snapshot before;
+  const auto total = static_cast<std::int64_t>(list.size() * (c.compression.decompress ? 2 : 1));
+  std::int64_t done = 0;
+  const auto watch = [&](const JamProgress& p) {
+    last = p;
+    recorder.progress(fmt::format("P = {:.1e}, phi = {:.4f}", spec.pressure, p.state.packing_fraction), done, total);
+    return !recorder.stop_requested();
+  };
+  const auto go_to = [&](double pressure, Branch branch) {
+    spec.pressure = pressure;
+    last = jam(packing, spec, watch);
+    const PackingReport report = report_packing(packing);
+    std::vector<double> row = packing_row(packing, report, last);
+    const NetworkChange change = compare(before, {report.network.pairs, report.shapes.centre, packing.system.box});
+    for (const double x : {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()}) row.push_back(x);
+    recorder.append("packing", row);
+    recorder.frame(packing_frame(packing, report));
+    before = {report.network.pairs, report.shapes.centre, packing.system.box};
+    ++done;
+  };
+  try {
+    for (const double pressure : list) go_to(pressure, Branch::compression);
+    if (c.compression.decompress)
+      for (auto p = list.rbegin() + 1; p != list.rend(); ++p) go_to(*p, Branch::decompression);
+  } catch (const Error&) {
+    hand_over(packing, recorder);
+    throw;
+  }
+  record_packing(packing, last, recorder);
+}
+
+}  // namespace supple

@@ -1,0 +1,166 @@
+#include "supple/experiment/jam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/core/error.hpp"
+#include "supple/model/bodies.hpp"
+
+namespace supple {
+
+namespace {
+
+/// A state of the search: densities are logarithms, ln phi = -2 ln L + constant.
+struct Point {
+  System<2> system;
+  double density = 0, pressure = 0;
+};
+
+class Search {
+ public:
+  Search(Packing& packing, const JamSpec& spec, const JamCallback& callback)
+      : packing_(packing), spec_(spec), callback_(callback) {}
+
+  JamProgress run() {
+    Point low = minimised(packing_.system, 0);
+    if (low.pressure >= spec_.pressure) return descend(low);
+    return spec_.search == JamSearch::chapter ? halve_steps(low) : stride(low);
+  }
+
+ private:
+  static constexpr double smallest = 1e-13;
+
+  /// The chapter's protocol.
+  JamProgress halve_steps(Point low) {
+    for (double step = spec_.step; step > smallest;) {
+      const Point next = minimised(low.system, low.density + step, low.density);
+      if (jammed(next)) return accept(next);
+      if (next.pressure < spec_.pressure) low = next;
+      else step *= 0.5, high_ = next;  // `low` is the state before
+    }
+    throw lost(low, high_);
+  }
+
+  /// Longer steps while nothing resists, and the chapter's where something does; then the root.
+  JamProgress stride(Point low) {
+    for (double step = spec_.step;;) {
+      const Point next = minimised(low.system, low.density + step, low.density);
+      if (jammed(next)) return accept(next);
+      if (next.pressure < spec_.pressure) {
+        low = next;
+        const bool free = next.pressure < 1e-3 * spec_.pressure;
+        step = std::clamp(free ? 1.3 * step : 0.5 * step, spec_.step, std::max(spec_.step, longest_stride));
+      } else if (step > spec_.step) {
+        step = std::max(spec_.step, 0.2 * step);
+      } else {
+        return find_root(low, next);
+      }
+    }
+  }
+  static constexpr double longest_stride = 0.02;
+
+  bool jammed(const Point& p) const {
+    return p.pressure > spec_.pressure && p.pressure < spec_.pressure * (1 + spec_.window);
+  }
+
+  /// The state at `density`, reached from `from` at its density.
+  Point minimised(const System<2>& from, double density, double from_density = 0) {
+    packing_.system = from;
+    const double factor = std::exp(-0.5 * (density - from_density));
+    scale_cell(packing_.system, {factor, factor});
+    packing_.field->invalidate();
+    progress_.last = relax(packing_);
+    progress_.state = observe(packing_);
+    ++progress_.minimisations;
+    progress_.evaluations += progress_.last.evaluations;
+    progress_.unconverged += !progress_.last.converged;
+    if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
+    return {packing_.system, density, progress_.state.pressure};
+  }
+
+  JamProgress accept(const Point& p) {
+    packing_.system = p.system;
+    return progress_;
+  }
+
+  /// Already above: goes down by growing steps until below, then searches between, always from the state above.
+  JamProgress descend(Point high) {
+    if (jammed(high)) return accept(high);
+    for (double step = spec_.step;; step *= 1.5) {
+      const Point next = minimised(high.system, high.density - step, high.density);
+      if (jammed(next)) return accept(next);
+      if (next.pressure < spec_.pressure) return find_root(next, high);
+      high = next;
+    }
+  }
+
+  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the weight of an end that stays
+  /// halved [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
+  JamProgress find_root(Point low, Point high) {
+    const double target = spec_.pressure * (1 + 0.5 * spec_.window);
+    double low_weight = 1, high_weight = 1;
+    bool from_low = true;
+    for (int k = 0; k < 200; ++k) {
+      const double width = high.density - low.density;
+      if (width < smallest) {  // the pressure jumps here: the packing rearranges. Come back from the other side.
+        if (!from_low) throw lost(low, high);
+        from_low = false;
+        const Point next = minimised(high.system, high.density - 1e-6, high.density);
+        if (jammed(next)) return accept(next);
+        if (next.pressure > spec_.pressure) return descend(next);
+        low = next;
+        low_weight = high_weight = 1;
+        continue;
+      }
+      const double below = low_weight * (low.pressure - target), above = high_weight * (high.pressure - target);
+      double share = low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
+      share = std::clamp(share, 0.02, 0.98);
+      const Point& start = from_low ? low : high;
+      const Point next = minimised(start.system, low.density + share * width, start.density);
+      if (jammed(next)) return accept(next);
+      if (next.pressure < spec_.pressure) {
+        low = next;
+        low_weight = 1;
+        high_weight *= 0.5;
+      } else {
+        slope_ = (high.pressure - next.pressure) / (high.density - next.density);
+        high = next;
+        high_weight = 1;
+        low_weight *= 0.5;
+      }
+    }
+    throw lost(low, high);
+  }
+
+  /// Where the line through the last two states above meets the target, as a share of the interval; its middle before there are two.
+  double guess_from_above(const Point& low, const Point& high) const {
+    if (!(slope_ > 0)) return 0.5;
+    const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
+    const double share = 1 - (high.pressure - target) / slope_ / width;
+    return share > 0 && share < 1 ? share : 0.5;
+  }
+
+  Error lost(const Point& low, const Point& high) {
+    packing_.system = low.system;
+    return numerics_error(fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
+                          fmt::format("between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
+                                      "there, or its minimisations stop too early",
+                                      low.pressure, high.pressure, high.density - low.density),
+                          "lower minimise.force_tolerance, widen jamming.window, or take another seed");
+  }
+
+  Packing& packing_;
+  const JamSpec& spec_;
+  const JamCallback& callback_;
+  JamProgress progress_;
+  Point high_;
+  double slope_ = 0;  ///< dP/d(ln phi) between the last two states above
+};
+
+}  // namespace
+
+JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) { return Search(packing, spec, callback).run(); }
+
+}  // namespace supple

@@ -1,0 +1,34 @@
+/// The search for the jammed state: protocols over a packing, whatever it is made of.
+#pragma once
+#include <functional>
+
+#include "supple/experiment/packing.hpp"
+
+namespace supple {
+
+/// Chapter: shrink by steps; above the pressure go back to the state before and halve the step [MacKeith 2025, section 9.4]. Root: the same
+/// steps until the pressure is exceeded, then a root search between the last state below it and the first above.
+enum class JamSearch { chapter, root };
+
+struct JamSpec {
+  JamSearch search = JamSearch::root;
+  double pressure = 1e-7, window = 0.01;  ///< done when 1 < P/pressure < 1 + window [pressure unit]
+  double step = 1e-3;                     ///< largest relative step of the packing fraction
+};
+
+/// The search that the case asks for.
+JamSpec jam_spec(const Case& c);
+
+/// After each minimisation: the state, the work so far, and whether it was accepted. Returns false to stop.
+struct JamProgress {
+  PackingState state;
+  MinimiseReport last;
+  long minimisations = 0, evaluations = 0, unconverged = 0;
+};
+using JamCallback = std::function<bool(const JamProgress&)>;
+
+/// Takes the packing to the wanted pressure by isotropic compression. Throws a numerics error where no state in the window exists within
+/// rounding, and `interrupted` when the callback says so; the packing then is the last state below the pressure.
+JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback = {});
+
+}  // namespace supple

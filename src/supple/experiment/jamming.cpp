@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/jam.hpp"
+#include "supple/experiment/packing_record.hpp"
+
+namespace supple {
+
+JamSpec jam_spec(const Case& c) {
+  return {c.jamming.search == "chapter" ? JamSearch::chapter : JamSearch::root, c.jamming.pressure, c.jamming.window, c.jamming.step};
+}
+
+std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
+  const Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  return derived_packing(packing);
+}
+
+void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  begin_packing(packing, derived_packing(packing), recorder);
+  recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
+                               {"pressure", "k_a a0", "full virial pressure (9.26)"},
+                               {"contact_pressure", "k_a a0", "pressure by contacts alone"},
+                               {"energy", "", "potential energy"},
+                               {"residual", "", "largest net force on a vertex"},
+                               {"evaluations", "", "force evaluations so far"}});
+  const double start = std::log(c.jamming.packing_fraction);
+  const auto watch = [&](const JamProgress& p) {
+    const double row[] = {p.state.packing_fraction, p.state.full_pressure,  p.state.contact_pressure,
+                          p.state.energy,           p.last.residual, static_cast<double>(p.evaluations)};
+    recorder.append("packing", row);
+    // The way from the start to about 0.84 in packing fraction, which nobody knows exactly before.
+    const double way = (std::log(p.state.packing_fraction) - start) / (std::log(0.9) - start);
+    recorder.progress(fmt::format("jam, phi = {:.4f}, P = {:.2e}", p.state.packing_fraction, p.state.pressure),
+                      static_cast<std::int64_t>(1000 * std::clamp(way, 0.0, 1.0)), 1000);
+    return !recorder.stop_requested();
+  };
+  try {
+    const JamProgress end = jam(packing, jam_spec(c), watch);
+    record_packing(packing, end, recorder);
+  } catch (const Error&) {
+    hand_over(packing, recorder);
+    throw;
+  }
+}
+
+}  // namespace supple

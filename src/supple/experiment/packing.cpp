@@ -1,0 +1,165 @@
+#include "supple/experiment/packing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "supple/contact/rough_contacts.hpp"
+#include "supple/contact/smooth_contacts.hpp"
+#include "supple/core/error.hpp"
+#include "supple/core/random.hpp"
+#include "supple/force/polygon_shape.hpp"
+#include "supple/model/bodies.hpp"
+#include "supple/model/polygons.hpp"
+
+namespace supple {
+
+namespace {
+
+using std::numbers::pi;
+
+bool has_polygons(const Bodies& b) { return b.family != "disc"; }
+
+ShapeSpec shape_spec(const Bodies& b) {
+  return {b.k_a, b.k_l, b.k_b, b.gamma, b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute, b.shape_parameter};
+}
+
+Harmonic contact_law(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
+
+/// Preferred areas: small particles 1, large ones size_ratio^2, then the extra discs.
+struct Sizes {
+  int particles, large;
+  double ratio;
+  explicit Sizes(const Bodies& b)
+      : particles(b.count), large(static_cast<int>(std::lround(b.large_fraction * b.count))), ratio(b.size_ratio) {}
+  bool is_large(int body) const { return body >= particles - large && body < particles; }
+  double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
+};
+
+/// Adds the particle `body` of the case about a centre.
+void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system) {
+  const Bodies& b = c.bodies;
+  const Sizes sizes(b);
+  const double area = sizes.area(body);
+  if (!has_polygons(b) || body >= b.count) return add_disc_body(system, centre, std::sqrt(area / pi));
+  const int n = sizes.is_large(body) && b.vertex_rule == "scaled" ? static_cast<int>(std::lround(b.size_ratio * b.vertices)) : b.vertices;
+  RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle, static_cast<std::uint64_t>(body));
+  add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape_spec(b));
+  if (b.family == "rough_disc") make_rigid(system, body);
+}
+
+/// Random positions in a square of side `length`, moved apart as soft discs of these radii until none overlap, or as far as can be.
+std::vector<Vec2> random_centres(const std::vector<double>& radius, double length, std::int64_t seed) {
+  System<2> discs;
+  discs.box.length = {length, length};
+  for (std::size_t k = 0; k < radius.size(); ++k) {
+    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_position, k);
+    const double x = draw.uniform(0, length);
+    add_disc_body(discs, {x, draw.uniform(0, length)}, 1.02 * radius[k]);
+  }
+  ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
+  BodyObjective objective(discs, field, {1e-3, 1e-8});
+  std::vector<double> x = objective.coordinates();
+  MinimiseSpec spec;
+  spec.method = Minimiser::fire;
+  spec.max_evaluations = 20000;
+  minimise(objective, x, spec);
+  return discs.state.position;
+}
+
+System<2> random_packing(const Case& c, double packing_fraction_wanted) {
+  const int bodies = c.bodies.count + (has_polygons(c.bodies) ? c.bodies.discs : 0);
+  System<2> sample;  // far apart, for sizes
+  sample.box.length = {1e4 * bodies, 1e4 * bodies};
+  for (int b = 0; b < bodies; ++b) add_particle(c, b, {1e2 * b, 0}, sample);
+  const Outline outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  double area = 0;
+  for (double a : packing_fraction(sample, outline).area) area += a;
+  std::vector<double> radius;
+  for (int b = 0; b < bodies; ++b) radius.push_back(outer_radius(sample, b));
+  const double length = std::sqrt(area / packing_fraction_wanted), widest = 2 * *std::max_element(radius.begin(), radius.end());
+  if (length < 2 * widest)
+    throw input_error(fmt::format("{} particles at packing fraction {} in a periodic cell", bodies, packing_fraction_wanted),
+                      fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it would meet a neighbour on two sides",
+                                  length, widest),
+                      "raise bodies.N");
+  const std::vector<Vec2> centre = random_centres(radius, length, c.general.seed);
+  System<2> system;
+  system.box.length = {length, length};
+  for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
+  return system;
+}
+
+double mean_radius(const System<2>& system) {
+  double sum = 0;
+  for (double r : system.state.radius) sum += r;
+  return sum / system.state.size();
+}
+
+}  // namespace
+
+std::shared_ptr<ForceField> make_body_field(const Case& c) {
+  const Harmonic law = contact_law(c);
+  std::shared_ptr<BodyContacts> contacts;
+  if (c.contact.kind == "smooth") contacts = std::make_shared<SmoothContacts>(law);
+  else contacts = std::make_shared<RoughContacts>(law);
+  auto field = std::make_shared<ForceField>(std::move(contacts));
+  field->terms().add(std::make_shared<PolygonShape>());
+  return field;
+}
+
+WallLaw wall_law(const Case& c) {
+  WallLaw walls;
+  walls.repulsion = contact_law(c);
+  walls.repulsion.stiffness *= c.contact.k_p;
+  walls.floor_friction = c.contact.floor_friction;
+  return walls;
+}
+
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
+  Packing p;
+  p.system = initial ? initial->system : random_packing(c, packing_fraction_wanted);
+  p.field = make_body_field(c);
+  p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  const Harmonic law = contact_law(c);
+  const auto& stiffness = p.system.shape.stiffness;
+  const auto soft = std::find_if(stiffness.begin(), stiffness.end(), [](const ShapeStiffness& k) { return k.volume > 0; });
+  p.pressure_unit = soft != stiffness.end() ? soft->volume * p.system.shape.rest_volume[soft - stiffness.begin()]
+                                            : law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
+  p.covered_area = packing_fraction(p.system, p.outline).total * p.system.box.volume();
+  p.minimise.method = minimiser_named(c.minimise.method);
+  p.minimise.max_evaluations = c.minimise.max_evaluations;
+  p.contact_pressure = c.jamming.pressure_kind == "contact";
+  p.tolerance.relative = c.minimise.force_tolerance;
+  p.tolerance.least = c.minimise.least_force > 0
+                          ? c.minimise.least_force
+                          : c.minimise.force_tolerance * c.jamming.pressure * p.pressure_unit * 2 * mean_radius(p.system);
+  return p;
+}
+
+MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
+  BodyObjective objective(packing.system, *packing.field, packing.tolerance);
+  std::vector<double> x = objective.coordinates();
+  return minimise(objective, x, packing.minimise, callback);
+}
+
+PackingState observe(Packing& packing) {
+  Evaluation<2> all, contacts;
+  packing.field->evaluate(packing.system, Detail::energies, all);
+  contacts.force.resize(all.force.size());
+  contacts.torque.resize(all.force.size());
+  packing.field->bodies()->evaluate(packing.system, Detail::energies, contacts);
+  const double scale = 1 / (packing.system.box.volume() * packing.pressure_unit);
+  PackingState s;
+  s.packing_fraction = packing.covered_area / packing.system.box.volume();
+  s.stress = scale * all.virial;
+  s.full_pressure = 0.5 * (s.stress[0][0] + s.stress[1][1]);
+  s.contact_pressure = 0.5 * scale * (contacts.virial[0][0] + contacts.virial[1][1]);
+  s.pressure = packing.contact_pressure ? s.contact_pressure : s.full_pressure;
+  s.energy = all.energy.stored();
+  return s;
+}
+
+}  // namespace supple

@@ -1,0 +1,49 @@
+/// A packing of deformable particles: the system, what acts on it, and the ways in which experiments change it.
+#pragma once
+#include <memory>
+
+#include "supple/experiment/case.hpp"
+#include "supple/experiment/initial_state.hpp"
+#include "supple/force/force_field.hpp"
+#include "supple/observe/packing_fraction.hpp"
+#include "supple/solve/body_objective.hpp"
+
+namespace supple {
+
+/// Everything that an experiment on bodies needs. Pressures are in units of `pressure_unit` where users see them.
+struct Packing {
+  System<2> system;
+  std::shared_ptr<ForceField> field;
+  Outline outline = Outline::rough;
+  double pressure_unit = 1;  ///< k_a a0 of a small particle; k_c for discs and rigid particles
+  ForceTolerance tolerance;
+  MinimiseSpec minimise;
+  bool contact_pressure = false;  ///< P is that of contacts alone
+  double covered_area = 0;        ///< of all bodies as they were when the packing was made
+};
+
+/// The particles of the case at random positions that do not overlap in a square periodic cell of this packing fraction, or the
+/// packing that the case starts from. Input errors where the case asks for what cannot be.
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction);
+
+/// The force field that the case describes.
+std::shared_ptr<ForceField> make_body_field(const Case& c);
+
+/// The walls that the case describes.
+WallLaw wall_law(const Case& c);
+
+/// What a packing is at rest, as far as a search needs it; packing_fraction is that of the area that the bodies covered at first (the exact
+/// one takes as long as a thousand force evaluations).
+struct PackingState {
+  double packing_fraction = 0, pressure = 0, contact_pressure = 0, full_pressure = 0;  ///< pressures in pressure_unit
+  Mat2 stress;                                                                         ///< in pressure_unit
+  double energy = 0;
+};
+
+/// Minimises the energy in the present cell. Not to converge is no error: the report says so.
+MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
+
+/// Observables at the present state.
+PackingState observe(Packing& packing);
+
+}  // namespace supple

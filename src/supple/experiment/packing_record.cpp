@@ -1,0 +1,139 @@
+#include "supple/experiment/packing_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "supple/experiment/frame.hpp"
+
+namespace supple {
+
+namespace {
+
+/// Pressure of each body on its covered area.
+std::vector<double> body_pressures(const Packing& packing, const PackingReport& r) {
+  std::vector<double> out;
+  for (const Mat2& stress : r.stresses.of_bodies(r.fraction.area)) out.push_back(pressure(stress) / packing.pressure_unit);
+  return out;
+}
+
+double largest_force(const PackingReport& r) {
+  double most = 0;
+  for (const Vec2& f : r.evaluation.force) most = std::max(most, norm(f));
+  return most;
+}
+
+template <class T>
+std::vector<double> as_numbers(const std::vector<T>& values) {
+  return {values.begin(), values.end()};
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (double v : values) sum += v;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<Derived> derived_packing(const Packing& packing) {
+  const System<2>& s = packing.system;
+  return {{{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
+          {{"vertices", "", "vertices and discs"}, static_cast<double>(s.state.size())},
+          {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit},
+          {{"force_tolerance", "mean contact force", "largest net force in equilibrium"}, packing.tolerance.relative},
+          {{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least}};
+}
+
+void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
+  recorder.begin(make_run_info(packing.system, reduced_units()));
+  for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
+}
+
+PackingReport report_packing(Packing& packing) {
+  PackingReport r;
+  System<2>& s = packing.system;
+  packing.field->evaluate(s, Detail::energies, r.evaluation);
+  BodyContacts& contacts = *packing.field->bodies();
+  r.records = contacts.records(s);
+  r.contacts = site_contacts(s, r.records, contacts.law());
+  r.network = contact_network(s, r.contacts, r.evaluation.wall);
+  r.rattlers = find_rattlers(r.network);
+  r.numbers = count_contacts(r.network, r.rattlers);
+  r.constraints = count_constraints(s, r.contacts, r.rattlers, r.evaluation.wall);
+  r.stresses = body_stresses(s, *packing.field, r.evaluation);
+  r.shapes = measure_shapes(s);
+  r.fraction = packing_fraction(s, packing.outline);
+  r.inside = static_cast<int>(bodies_inside_others(s).size());
+  return r;
+}
+
+std::vector<Column> packing_columns() {
+  return {{"packing_fraction", "", "covered area over area of the cell"},
+          {"pressure", "k_a a0", "full virial pressure (9.26)"},
+          {"contact_pressure", "k_a a0", "pressure by contacts alone"},
+          {"stress_xx", "k_a a0", "full stress, compression positive"},
+          {"stress_yy", "k_a a0", "full stress, compression positive"},
+          {"stress_xy", "k_a a0", "full stress, compression positive"},
+          {"energy", "", "potential energy"},
+          {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
+          {"rattlers", "", "particles with fewer than 3 contacting neighbours, removed until none is left"},
+          {"residual", "", "largest net force on a vertex"},
+          {"tolerance", "", "residual that was asked for"},
+          {"evaluations", "", "force evaluations so far"}};
+}
+
+std::vector<double> packing_row(const Packing& packing, const PackingReport& r, const JamProgress& work) {
+  const Mat2 stress = (1 / packing.pressure_unit) * r.stresses.virial();
+  return {r.fraction.total,
+          pressure(stress),
+          pressure(r.stresses.contact) / packing.pressure_unit,
+          stress[0][0],
+          stress[1][1],
+          -shear_stress(stress),
+          r.evaluation.energy.stored(),
+          r.numbers.mean(),
+          static_cast<double>(std::count(r.rattlers.begin(), r.rattlers.end(), 1)),
+          largest_force(r),
+          work.last.tolerance,
+          static_cast<double>(work.evaluations)};
+}
+
+Frame packing_frame(const Packing& packing, const PackingReport& r) {
+  Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->law());
+  frame.body["pressure"] = body_pressures(packing, r);
+  frame.body["area"] = r.fraction.area;
+  frame.body["shape_parameter"] = r.shapes.shape_parameter;
+  frame.body["contacts"] = as_numbers(r.network.contacts_of_bodies());
+  frame.body["rattler"] = as_numbers(r.rattlers);
+  return frame;
+}
+
+void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder) {
+  const PackingReport r = report_packing(packing);
+  recorder.frame(packing_frame(packing, r));
+  const std::vector<Column> columns = packing_columns();
+  const std::vector<double> row = packing_row(packing, r, progress);
+  for (std::size_t k = 0; k < columns.size(); ++k) recorder.value("results", columns[k], row[k]);
+  const auto number = [&](const char* name, const char* meaning, double value) { recorder.value("results", {name, "", meaning}, value); };
+  number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
+  number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
+  number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs", r.constraints.excess());
+  number("mean_shape_parameter", "mean p^2/(4 pi a) of the particles", mean(r.shapes.shape_parameter));
+  number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
+  number("unconverged", "minimisations that stopped before the tolerance", static_cast<double>(progress.unconverged));
+  if (r.inside > 0)
+    recorder.warning(fmt::format("{} particles have vertices inside another one: vertices have passed an edge; lower the step", r.inside));
+  if (progress.unconverged > 0)
+    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}", progress.unconverged,
+                                 progress.minimisations, progress.last.reason));
+  recorder.final_state(packing.system, r.evaluation);
+}
+
+void hand_over(Packing& packing, Recorder& recorder) {
+  Evaluation<2> evaluation;
+  packing.field->evaluate(packing.system, Detail::energies, evaluation);
+  recorder.final_state(packing.system, evaluation);
+}
+
+}  // namespace supple

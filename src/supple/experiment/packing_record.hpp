@@ -1,0 +1,48 @@
+/// What experiments on packings tell the recorder.
+#pragma once
+#include "supple/experiment/derived.hpp"
+#include "supple/experiment/jam.hpp"
+#include "supple/experiment/recorder.hpp"
+#include "supple/observe/body_stress.hpp"
+#include "supple/observe/contact_network.hpp"
+#include "supple/observe/shape_measures.hpp"
+
+namespace supple {
+
+/// Numbers that are known before the run.
+std::vector<Derived> derived_packing(const Packing& packing);
+
+/// Begins the run: sizes, bodies, constants.
+void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
+
+/// Everything that is said of a packing at one instant.
+struct PackingReport {
+  Evaluation<2> evaluation;
+  std::vector<ContactRecord<2>> records;
+  std::vector<SiteContact> contacts;
+  ContactNetwork network;
+  std::vector<std::uint8_t> rattlers;
+  ContactNumbers numbers;  ///< without rattlers
+  ConstraintCount constraints;
+  BodyStresses stresses;
+  ShapeMeasures shapes;
+  PackingFraction fraction;
+  int inside = 0;  ///< bodies with a site inside another one
+};
+PackingReport report_packing(Packing& packing);
+
+/// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts, rattlers, energy, residual, work.
+std::vector<Column> packing_columns();
+std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
+
+/// The instant of the report: positions, forces, contacts, and of each body its pressure, shape, contacts.
+Frame packing_frame(const Packing& packing, const PackingReport& report);
+
+/// Results of a packing at rest, its last frame and its state. Warns of what the reader must know: bodies inside others, minimisations
+/// that did not converge.
+void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder);
+
+/// The state as it is, for a run that ends early.
+void hand_over(Packing& packing, Recorder& recorder);
+
+}  // namespace supple
