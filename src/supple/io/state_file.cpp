@@ -1,84 +1,25 @@
 #include "supple/io/state_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "supple/core/error.hpp"
 #include "supple/io/hdf5.hpp"
+#include "supple/io/json_node.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/model/convert.hpp"
 
 namespace supple {
 namespace {
 
-using Json = nlohmann::json;
-
-/// A value of the file and where it stands, for errors ("state.json: initial.spheres[3].m").
-class Node {
- public:
-  Node(const Json& value, std::string path) : value_(value), where_(std::move(path)), separator_(": ") {}
-
-  bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
-  Node at(const std::string& key) const {
-    if (!value_.is_object()) throw fault("is not an object");
-    if (!value_.contains(key)) throw fault("has no \"" + key + "\"");
-    return {value_[key], where_ + separator_ + key, "."};
-  }
-  std::size_t size() const {
-    if (!value_.is_array()) throw fault("is not a list");
-    return value_.size();
-  }
-  Node operator[](std::size_t k) const { return {value_[k], where_ + "[" + std::to_string(k) + "]", "."}; }
-
-  double number() const {
-    if (!value_.is_number()) throw fault("is not a number");
-    const double x = value_.get<double>();
-    if (!std::isfinite(x)) throw fault("is not finite");
-    return x;
-  }
-  double positive() const {
-    const double x = number();
-    if (!(x > 0)) throw fault("is " + value_.dump() + ", not positive");
-    return x;
-  }
-  bool truth() const {
-    if (!value_.is_boolean()) throw fault("is not true or false");
-    return value_.get<bool>();
-  }
-  std::string text() const {
-    if (!value_.is_string()) throw fault("is not a text");
-    return value_.get<std::string>();
-  }
-  Error fault(const std::string& what) const { return file_error(where_ + " " + what, "the state cannot be used"); }
-
- private:
-  Node(const Json& value, std::string where, const char* separator)
-      : value_(value), where_(std::move(where)), separator_(separator) {}
-
-  const Json& value_;
-  std::string where_;
-  const char* separator_;  ///< between this and a key below it
-};
+using Node = JsonNode;
 
 constexpr const char* protocol_numbers[] = {"dt", "cool_factor", "steps", "f", "amplitude", "pre", "periods", "post"};
 
 // ---- reading -----------------------------------------------------------------------------------------------------
-
-Json parsed(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw file_error("cannot read " + path, std::strerror(errno));
-  try {
-    return Json::parse(in);
-  } catch (const Json::exception& e) {
-    throw file_error("cannot use " + path + " as a state", std::string("not JSON, or truncated: ") + e.what());
-  }
-}
 
 /// Plates take the discs that touch them: r < y < Ly - r is free [package rule 3.5].
 Mobility mobility_at(double y, double radius, double height) {
@@ -175,7 +116,7 @@ void read_neighbors(const Node& lists, System<2>& system) {
 }
 
 InitialState read_json(const std::string& path) {
-  const Json json = parsed(path);
+  const Json json = parse_json(path, "a state");
   const Node root(json, path);
   InitialState out;
   out.units = particleshear_units();
