@@ -112,6 +112,30 @@ TEST(SmoothContacts, DoNotDependOnWhenTheListWasBuilt) {
   EXPECT_GT(differ, 100) << "the lists were always the same";
 }
 
+/// A state that is put back brings the rows of its time, which the list does not have the positions of.
+TEST(SmoothContacts, SurviveAStateThatIsPutBack) {
+  System<2> system = crowd(9, 16);
+  ForceField field(std::make_shared<SmoothContacts>(Harmonic{1}));
+  Evaluation<2> before, after;
+  field.evaluate(system, Detail::energies, before);
+  const System<2> kept = system;
+  for (int times = 0; times < 3; ++times) {
+    for (int i = 0; i < system.topology.begin[5]; ++i) system.state.position[i] += Vec2{0.9, 0.4};
+    field.evaluate(system, Detail::energies, after);
+    ASSERT_NE(before.energy.elastic, after.energy.elastic);
+    const std::vector<Vec2> moved = system.state.position;
+    const double energy = after.energy.elastic;
+    system = kept;
+    field.evaluate(system, Detail::energies, after);
+    EXPECT_EQ(before.force, after.force);
+    system = kept;
+    system.state.position = moved;  // where the list was built last, but with the rows of old
+    field.evaluate(system, Detail::energies, after);
+    EXPECT_EQ(after.energy.elastic, energy);
+    system = kept;
+  }
+}
+
 TEST(SmoothContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
   System<2> system;
   system.box.length = {8, 9};

@@ -167,6 +167,16 @@ TEST(SmoothContacts, PushOutWithTheDepth) {
   EXPECT_NEAR(corner.energy({2.1, 1.9}), 0.5 * std::pow(1 + std::sqrt(0.02), 2), 1e-13);
 }
 
+TEST(SmoothContacts, AreFiniteAtEveryVertex) {
+  for (const auto& ring : {square, ell, notch, ledge, spike}) {
+    Probe probe(ring, 0.1, {3, false});
+    for (const Vec2& vertex : ring) {
+      EXPECT_NEAR(probe.energy(vertex), 1.5 * 0.1 * 0.1, 1e-13);
+      EXPECT_NEAR(norm(probe.force(vertex)), 0.3, 1e-13);
+    }
+  }
+}
+
 TEST(SmoothContacts, ReportABoundaryThatIsNoSimpleArc) {
   Probe probe(notch, 0.9);
   probe.force({3, 4.8});

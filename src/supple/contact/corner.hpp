@@ -4,34 +4,37 @@
 
 namespace supple {
 
-/// The place of a point p about the corner x_- , x_0, x_+ of a counter-clockwise ring and its edge x_0 x_+.
-/// The strip of an edge is what lies straight above it on either side. A corner is met where a point is
-/// beyond the ends of both edges there, or over both.
+/// The place of a point p about the corner (before, start, end) of a counter-clockwise ring and the edge from
+/// start to end. The strip of an edge is what lies straight over it, on either side. S: a number, or several
+/// side by side; Flag: what their comparison gives.
+template <class S, class Flag>
 struct CornerPlace {
-  Vec2 to, edge;  ///< p - x_0, x_+ - x_0
-  double along, height,
-      square;      ///< to.edge; |edge| times the distance from the edge's line, positive outside; edge.edge
-  bool over_edge;  ///< in the strip of the edge
-  bool beyond_edge, beyond_last;  ///< before the start of this edge, past the end of the last one
-  bool convex;                    ///< the corner; a flat one is
+  VecOf<S, 2> to, edge;     ///< p - start, end - start
+  S along, height, square;  ///< to.edge; |edge| times the distance from its line, positive outside; edge.edge
+  Flag over_edge;           ///< in the strip of the edge
+  Flag over_last;           ///< before the end of the edge that ends at this corner
+  Flag over_start;          ///< past the start of the edge
+  Flag convex;              ///< the corner; a flat one is
 };
 
-/// Whether p is in a strip and beyond which end is decided by the same bits for both edges of a corner, so
-/// that no rounding opens a gap between them.
-inline CornerPlace place_at_corner(const Vec2& p, const Vec2& before, const Vec2& start, const Vec2& end) {
-  const Vec2 to{p[0] - start[0], p[1] - start[1]}, to_end{p[0] - end[0], p[1] - end[1]};
-  const Vec2 edge{end[0] - start[0], end[1] - start[1]}, last{start[0] - before[0], start[1] - before[1]};
-  CornerPlace at;
-  at.to = to;
-  at.edge = edge;
-  at.along = dot(to, edge);
-  at.height = cross(to, edge);
-  at.square = dot(edge, edge);
-  at.over_edge = (at.along > 0) & (dot(to_end, edge) < 0);
-  at.beyond_edge = !(at.along > 0);
-  at.beyond_last = !(dot(to, last) < 0);
-  at.convex = cross(last, edge) >= 0;
-  return at;
+/// Where p is about the end of an edge is decided by the same bits for this edge and for the next one, so
+/// that no rounding opens a gap between a strip and its corner.
+template <class S>
+[[gnu::always_inline]] inline auto place_at_corner(const VecOf<S, 2>& p, const VecOf<S, 2>& before,
+                                                   const VecOf<S, 2>& start, const VecOf<S, 2>& end) {
+  const VecOf<S, 2> to = p - start, edge = end - start, last = start - before;
+  const S along = dot(to, edge);
+  using Flag = decltype(along > 0.0);
+  const Flag over_start = along > 0.0, over_end = dot(p - end, edge) < 0.0, over_last = dot(to, last) < 0.0;
+  return CornerPlace<S, Flag>{to,
+                              edge,
+                              along,
+                              cross(to, edge),
+                              dot(edge, edge),
+                              Flag(over_start & over_end),
+                              over_last,
+                              over_start,
+                              cross(last, edge) >= 0.0};
 }
 
 }  // namespace supple

@@ -12,7 +12,8 @@ struct EdgeCandidates::Found {
   std::int32_t site, body, start, image;
   Vec2 cells;  ///< orders images whatever rows made them known
 
-  auto key() const { return std::tuple(site, body, cells[0], cells[1], start); }
+  auto group() const { return std::tuple(site, body, cells[0], cells[1]); }
+  auto key() const { return std::tuple_cat(group(), std::tuple(start)); }
 };
 
 namespace {
@@ -33,9 +34,10 @@ Ring ring_of(const Topology<2>& topology, std::int32_t body) {
 
 void EdgeCandidates::update(const System<2>& system) {
   if (!images_.update(system)) return;
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<Found> found;
-  collect(system, found);
-  arrange(system, found);
+  collect(system, body, found);
+  arrange(system, body, found);
 }
 
 const std::vector<Vec2>& EdgeCandidates::shifts(const Box<2>& box) {
@@ -46,9 +48,9 @@ const std::vector<Vec2>& EdgeCandidates::shifts(const Box<2>& box) {
   return shifts_;
 }
 
-void EdgeCandidates::collect(const System<2>& system, std::vector<Found>& found) {
+void EdgeCandidates::collect(const System<2>& system, const std::vector<std::int32_t>& body,
+                             std::vector<Found>& found) {
   const State<2>& state = system.state;
-  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, state.size());
   const std::vector<Vec2>& shift = shifts(system.box);
   const auto images = static_cast<std::int32_t>(images_.cells().size());
   disc_rows_.clear();
@@ -76,24 +78,36 @@ void EdgeCandidates::collect(const System<2>& system, std::vector<Found>& found)
   }
 }
 
-void EdgeCandidates::arrange(const System<2>& system, std::vector<Found>& found) {
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.key() < b.key(); });
-  const auto same = [](const Found& a, const Found& b) { return a.key() == b.key(); };
-  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+/// Found edges come row after row: those of one site nearly in order, so that putting them there is quick.
+void EdgeCandidates::arrange(const System<2>& system, const std::vector<std::int32_t>& body,
+                             const std::vector<Found>& found) {
+  const auto sites = static_cast<std::size_t>(system.state.size());
+  std::vector<std::int32_t> begin(sites + 1);
+  for (const Found& f : found) ++begin[f.site + 1];
+  for (std::size_t i = 0; i < sites; ++i) begin[i + 1] += begin[i];
+  std::vector<Found> sorted(found.size());
+  std::vector<std::int32_t> end(begin.begin(), begin.end() - 1);
+  for (const Found& f : found) {
+    std::int32_t at = end[f.site]++;
+    for (; at > begin[f.site] && f.key() < sorted[at - 1].key(); --at) sorted[at] = sorted[at - 1];
+    sorted[at] = f;
+  }
+
   all_.clear();
-  group_begin_.assign(1, 0);
-  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Found& f = found[k];
+  group_begin_.clear();
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    const Found& f = sorted[k];
+    const bool known = k > 0 && f.key() == sorted[k - 1].key();
+    if (known) continue;
+    const bool same_group = k > 0 && f.group() == sorted[k - 1].group();
+    if (!same_group) group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
     const Ring ring = ring_of(system.topology, f.body);
     const bool from_disc = ring_of(system.topology, body[f.site]).is_disc();
+    const auto group = static_cast<std::int32_t>(group_begin_.size()) - 1;
     all_.push_back(
-        {f.site, ring.before(f.start), f.start, ring.after(f.start), f.image, from_disc ? 1.0 : 0.5});
-    const bool last = k + 1 == found.size() ||
-                      std::tie(found[k + 1].site, found[k + 1].body) != std::tie(f.site, f.body) ||
-                      !(found[k + 1].cells == f.cells);
-    if (last) group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
+        {f.site, ring.before(f.start), f.start, ring.after(f.start), f.image, group, from_disc ? 1.0 : 0.5});
   }
+  group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
 }
 
 }  // namespace supple

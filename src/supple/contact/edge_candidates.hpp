@@ -12,6 +12,7 @@ struct EdgeCandidate {
   std::int32_t site;
   std::int32_t before, start, end;  ///< the corner at the start of the edge: vertices of the ring
   std::int32_t image;               ///< of EdgeCandidates::shifts()
+  std::int32_t group;               ///< of EdgeCandidates::group_begin()
   double scale;                     ///< factor on energy and force
 };
 
@@ -38,8 +39,9 @@ class EdgeCandidates {
 
  private:
   struct Found;
-  void collect(const System<2>& system, std::vector<Found>& found);
-  void arrange(const System<2>& system, std::vector<Found>& found);
+  void collect(const System<2>& system, const std::vector<std::int32_t>& body, std::vector<Found>& found);
+  void arrange(const System<2>& system, const std::vector<std::int32_t>& body,
+               const std::vector<Found>& found);
 
   RowImages<2> images_;
   std::vector<EdgeCandidate> all_;

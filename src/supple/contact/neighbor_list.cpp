@@ -210,6 +210,7 @@ template <int Dim>
 bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const Box<Dim>& box = system.box;
   if (!built_ || position_at_build_.size() != system.state.position.size()) return true;
+  if (system.pairs.version != version_) return true;  // another table: a state that was put back
   const double strain_change = box.strain - strain_at_build_;
   Vec<Dim> growth;
   double largest_growth = 0;
@@ -263,7 +264,7 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   PairTable& pairs = system.pairs;
   std::swap(pairs, old_);
   pairs.width = old_.width;
-  pairs.version = old_.version + 1;
+  pairs.version = version_ = std::max(old_.version, version_) + 1;
   pairs.skin = skin_;
   pairs.begin.assign(static_cast<std::size_t>(n) + 1, 0);
 

@@ -41,6 +41,7 @@ class NeighborList {
   Meeting meeting_;
   double skin_ = 0, reach_ = 0;
   bool built_ = false;
+  std::uint64_t version_ = 0;  ///< of the table that was made last; never given twice
   long builds_ = 0;
   double strain_at_build_ = 0;
   Vec<Dim> length_at_build_{};

@@ -40,7 +40,7 @@ class SmoothContacts final : public BodyContacts {
   void add_all(const System<2>& system, Evaluation<2>& out, Sum& sum);
 
   EdgeCandidates candidates_;
-  std::vector<std::int32_t> inside_;
+  std::vector<std::int32_t> selected_, inside_;
   int violations_ = 0;
 };
 
