@@ -31,7 +31,8 @@ class SmoothContacts final : public BodyContacts {
   /// distance is negative.
   std::vector<ContactRecord<2>> records(const System<2>& system) override;
   const std::vector<std::int32_t>& sites_inside() const override { return inside_; }
-  /// Vertices that the last evaluation found near a part of a body that is no simple arc.
+  /// Vertices that the last evaluation found near a part of a body that is no simple arc. Also on the way
+  /// into a concave corner, where both of its edges are already within sigma and the corner is not yet.
   int feature_violations() const { return violations_; }
 
  private:
