@@ -40,6 +40,14 @@ inline double total_energy(BodyDynamics& dynamics, System<2>& system) {
   return dynamics.evaluate(system, Detail::energies).energy.stored() + kinetic_energy(system);
 }
 
+/// Angular momentum about the origin of sites [begin, end); end -1: of all.
+inline double angular_momentum(const System<2>& system, int begin = 0, int end = -1) {
+  double sum = 0;
+  for (int i = begin; i < (end < 0 ? system.state.size() : end); ++i)
+    sum += system.state.mass[i] * cross(system.state.position[i], system.state.velocity[i]);
+  return sum;
+}
+
 /// Largest distance between vectors of the same place.
 inline double largest(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double most = 0;
