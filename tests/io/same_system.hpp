@@ -41,6 +41,15 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
   EXPECT_TRUE(same_bits(a.shape.rest_volume, b.shape.rest_volume));
   EXPECT_TRUE(same_bits(a.shape.rest_facet, b.shape.rest_facet));
   EXPECT_TRUE(same_bits(a.shape.rest_hinge, b.shape.rest_hinge));
+  EXPECT_EQ(a.rigid.body, b.rigid.body);
+  EXPECT_TRUE(same_bits(a.rigid.centre, b.rigid.centre));
+  EXPECT_TRUE(same_bits(a.rigid.velocity, b.rigid.velocity));
+  EXPECT_TRUE(same_bits(a.rigid.angle, b.rigid.angle));
+  EXPECT_TRUE(same_bits(a.rigid.spin, b.rigid.spin));
+  EXPECT_TRUE(same_bits(a.rigid.mass, b.rigid.mass));
+  EXPECT_TRUE(same_bits(a.rigid.inertia, b.rigid.inertia));
+  EXPECT_EQ(a.rigid.begin, b.rigid.begin);
+  EXPECT_TRUE(same_bits(a.rigid.offset, b.rigid.offset));
   EXPECT_TRUE(same_bits(a.floor_contact, b.floor_contact));
   EXPECT_EQ(a.pairs.begin, b.pairs.begin);
   EXPECT_EQ(a.pairs.first, b.pairs.first);

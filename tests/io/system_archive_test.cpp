@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "supple/io/body_archive.hpp"
-
+#include "supple/model/rigid.hpp"
 #include "tests/io/same_system.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -61,6 +61,44 @@ TEST_F(SystemArchive, BodiesComeBackBitForBit) {
   expect_same(read_system<2>(written(polygons)), polygons);
   expect_same(read_system<2>(written(sample_system(5))), sample_system(5));
   expect_same(read_system<3>(written(sample_system_3d())), sample_system_3d());
+}
+
+System<2> with_rigid_bodies() {
+  System<2> system = random_polygons();
+  for (int b : {2, 5}) make_rigid(system, b);
+  system.rigid.angle = {1e9 / 7, -1 / 3.};
+  system.rigid.spin = {1 / 7., -0.0};
+  system.rigid.velocity = {{1 / 3., 2}, {3, 1e-310}};
+  place_sites(system);
+  return system;
+}
+
+TEST_F(SystemArchive, RigidBodiesComeBackBitForBit) {
+  expect_same(read_system<2>(written(with_rigid_bodies())), with_rigid_bodies());
+  EXPECT_FALSE(written(random_polygons()).has("rigid"));
+}
+
+TEST_F(SystemArchive, DamageOfRigidBodiesIsRefused) {
+  const auto error_after_damage = [&](auto&& damage) {
+    System<2> system = with_rigid_bodies();
+    damage(system.rigid);
+    return file_error_of([&] { read_system<2>(written(system)); });
+  };
+  using R = RigidBodies;
+  EXPECT_THAT(error_after_damage([](R& r) { r.spin.pop_back(); }), HasSubstr("differ in length"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.centre.pop_back(); }), HasSubstr("differ in length"));
+  for (const std::vector<std::int32_t>& bodies : {std::vector{5, 2}, {2, 9}, {-1, 5}, {2, 2}})
+    EXPECT_THAT(error_after_damage([&](R& r) { r.body = bodies; }), HasSubstr("rigid bodies and bodies disagree"));
+  System<2> equal;  // bodies of as many sites
+  for (double x : {1, 4, 7}) add_polygon(equal, {x, 1}, 2, 6, 0, 1, {});
+  for (int b : {1, 2}) make_rigid(equal, b);
+  for (const std::vector<std::int32_t>& bodies : {std::vector{2, 1}, {1, 1}}) {
+    equal.rigid.body = bodies;
+    EXPECT_THAT(file_error_of([&] { read_system<2>(written(equal)); }), HasSubstr("rigid bodies and bodies disagree"));
+  }
+  EXPECT_THAT(error_after_damage([](R& r) { r.begin[1] += 1; }), HasSubstr("rigid bodies and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.offset.pop_back(); }), HasSubstr("rigid bodies and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.inertia[1] = 0; }), HasSubstr("rigid bodies and bodies disagree"));
 }
 
 TEST_F(SystemArchive, DiscsHaveNoShapeAndNoFloor) {

@@ -135,6 +135,7 @@ TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
   const auto [evaluation, s] = evaluate(system, {7, false});
   EXPECT_NEAR(s.virial()[0][1], s.virial()[1][0], 1e-13 * pressure(s.virial()));
   EXPECT_GT(std::abs(pressure(s.shape)), 0.1 * pressure(s.contact));
+  EXPECT_NEAR(pressure(evaluation.virial) / system.box.volume(), pressure(s.virial()), 1e-13 * pressure(s.virial()));
   const auto energy_at = [&](double e) {
     System<2> strained = system;
     strained.box.length = (1 + e) * system.box.length;

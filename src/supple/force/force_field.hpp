@@ -10,6 +10,7 @@
 #include "supple/contact/walls.hpp"
 #include "supple/force/external.hpp"
 #include "supple/force/terms.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
@@ -37,6 +38,7 @@ class ForceField {
     if (repulsive_plates_) evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
     if (walls_) evaluate_walls(system, *walls_, detail, out);
     if (!external_.empty()) external_.evaluate(system, detail, out);
+    if (detail == Detail::energies) out.virial += rigid_virial(system, out.force);
   }
 
   /// Second derivatives of the energy. Not for contacts with memory, whose force has no energy.

@@ -1,6 +1,7 @@
 #include "supple/io/body_archive.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "supple/core/error.hpp"
 #include "supple/io/array_views.hpp"
@@ -39,6 +40,15 @@ bool are_own(const Topology<Dim>& t, const std::vector<std::int32_t>& begin, con
       for (const std::int32_t site : tuples[static_cast<std::size_t>(k)])
         if (site < t.begin[b] || site >= t.begin[b + 1]) return false;
   return true;
+}
+
+/// Each array of RigidBodies with one number per body, by name.
+template <class AnyRigid, class Visit>
+void for_each_number(AnyRigid& rigid, Visit&& visit) {
+  visit("angle", rigid.angle);
+  visit("spin", rigid.spin);
+  visit("mass", rigid.mass);
+  visit("inertia", rigid.inertia);
 }
 
 constexpr std::uint64_t stiffness_columns = 4;
@@ -110,10 +120,51 @@ Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   return shape;
 }
 
-#define SUPPLE_ARCHIVED(Dim)                                     \
-  template void write_topology(h5::Group, const Topology<Dim>&); \
-  template Topology<Dim> read_topology(const h5::Group&, int);   \
-  template Shape read_shape(const h5::Group&, const Topology<Dim>&);
+void write_rigid_bodies(h5::Group group, const RigidBodies& rigid) {
+  group.write("body", rigid.body);
+  group.write("centre", flat(rigid.centre), {rigid.centre.size(), 2});
+  group.write("velocity", flat(rigid.velocity), {rigid.velocity.size(), 2});
+  for_each_number(rigid, [&](const char* name, const auto& values) { group.write(name, values); });
+  group.write("begin", rigid.begin);
+  group.write("offset", flat(rigid.offset), {rigid.offset.size(), 2});
+}
+
+template <int Dim>
+RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& t) {
+  RigidBodies rigid;
+  rigid.body = group.read<std::int32_t>("body");
+  const auto n = rigid.body.size();
+  const auto vectors = [&](const char* name) {
+    const h5::Shape shape = group.shape(name);
+    expect_state(shape.size() == 2 && shape[1] == 2, group, std::string(name) + " has another dimension");
+    return vectors_from<2>(group.read<double>(name));
+  };
+  rigid.centre = vectors("centre");
+  rigid.velocity = vectors("velocity");
+  rigid.begin = group.read<std::int32_t>("begin");
+  rigid.offset = vectors("offset");
+  bool same_length = rigid.centre.size() == n && rigid.velocity.size() == n && rigid.begin.size() == n + 1;
+  for_each_number(rigid, [&](const char* name, std::vector<double>& values) {
+    values = group.read<double>(name);
+    same_length = same_length && values.size() == n;
+  });
+  expect_state(same_length, group, "arrays of the rigid bodies differ in length");
+  const bool is_ascending =
+      std::adjacent_find(rigid.body.begin(), rigid.body.end(), std::greater_equal<>()) == rigid.body.end();
+  bool fits = n == 0 || (rigid.body.front() >= 0 && rigid.body.back() < static_cast<std::int64_t>(t.begin.size()) - 1);
+  fits = fits && is_ascending && is_ranges(rigid.begin, rigid.offset.size());
+  for (std::size_t r = 0; fits && r < n; ++r)
+    fits =
+        rigid.begin[r + 1] - rigid.begin[r] == t.body_size(rigid.body[r]) && rigid.mass[r] > 0 && rigid.inertia[r] > 0;
+  expect_state(fits, group, "rigid bodies and bodies disagree");
+  return rigid;
+}
+
+#define SUPPLE_ARCHIVED(Dim)                                         \
+  template void write_topology(h5::Group, const Topology<Dim>&);     \
+  template Topology<Dim> read_topology(const h5::Group&, int);       \
+  template Shape read_shape(const h5::Group&, const Topology<Dim>&); \
+  template RigidBodies read_rigid_bodies(const h5::Group&, const Topology<Dim>&);
 SUPPLE_ARCHIVED(2)
 SUPPLE_ARCHIVED(3)
 #undef SUPPLE_ARCHIVED

@@ -1,8 +1,9 @@
-/// Bodies of many sites in an HDF5 group: how sites are grouped, and what shape the bodies prefer.
+/// Bodies of many sites in an HDF5 group: how sites are grouped, what shape the bodies prefer, which are rigid.
 #pragma once
 #include <string>
 
 #include "supple/io/hdf5.hpp"
+#include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
 #include "supple/model/topology.hpp"
 
@@ -21,5 +22,10 @@ void write_shape(h5::Group group, const Shape& shape);
 /// Throws a file error where the preferred shapes do not fit the bodies.
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
+
+void write_rigid_bodies(h5::Group group, const RigidBodies& rigid);
+/// Throws a file error where they do not fit the bodies.
+template <int Dim>
+RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);
 
 }  // namespace supple

@@ -125,6 +125,7 @@ void write_system(h5::Group& group, const System<Dim>& system) {
 
   write_topology(group.create_group("topology"), system.topology);
   if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape);
+  if (!system.rigid.empty()) write_rigid_bodies(group.create_group("rigid"), system.rigid);
   write_pairs(group.create_group("pairs"), system.pairs);
 }
 
@@ -156,6 +157,7 @@ System<Dim> read_system(const h5::Group& group) {
 
   system.topology = read_topology<Dim>(group.open_group("topology"), state.size());
   if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
+  if (group.has("rigid")) system.rigid = read_rigid_bodies(group.open_group("rigid"), system.topology);
   system.pairs = read_pairs(group.open_group("pairs"), state.size());
   return system;
 }

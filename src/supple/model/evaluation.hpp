@@ -58,8 +58,8 @@ struct EnergyParts {
 
 /// Forces and torques on every site, the contacts that made them, and what the law will remember if the step is
 /// accepted (ForceField::commit). `virial` is the sum over contacts of F l^T (F on a site, l from the other site to it)
-/// and over terms of f r^T: volume times static stress, compression positive. `energy` and `virial` are filled on
-/// request (Detail::energies).
+/// and over terms of f r^T, and of what keeps rigid bodies together: volume times static stress, compression positive.
+/// `energy` and `virial` are filled on request (Detail::energies).
 template <int Dim>
 struct Evaluation {
   std::vector<Vec<Dim>> force;

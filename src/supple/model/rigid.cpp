@@ -99,6 +99,17 @@ RigidForce force_on_rigid(const System<2>& system, const std::vector<Vec2>& forc
   return total;
 }
 
+Mat2 rigid_virial(const System<2>& system, const std::vector<Vec2>& force) {
+  Mat2 sum;
+  for (int r = 0; r < system.rigid.size(); ++r) {
+    if (held(system, r)) continue;
+    const int b = system.rigid.body[r];
+    for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+      sum.add_outer(-1, force[i], system.state.position[i] - system.rigid.centre[r]);
+  }
+  return sum;
+}
+
 bool held(const System<2>& system, int r) {
   const int b = system.rigid.body[r];
   for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)

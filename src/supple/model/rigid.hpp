@@ -21,6 +21,11 @@ struct RigidForce {
 /// Of rigid body r (an index of System::rigid), given forces on all sites.
 RigidForce force_on_rigid(const System<2>& system, const std::vector<Vec2>& force, int r);
 
+/// What the forces that keep the sites of rigid bodies together add to the virial under these forces on all sites, at
+/// rest: sum of -F (x - centre)^T. With it the virial is -dU/d(strain) of bodies that move with their centres and stay
+/// as they are. Bodies that are held add nothing: what holds them acts on their sites.
+Mat2 rigid_virial(const System<2>& system, const std::vector<Vec2>& force);
+
 /// Whether rigid body r stays where it is: where any of its sites is not free, none moves.
 bool held(const System<2>& system, int r);
 

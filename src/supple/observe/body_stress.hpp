@@ -22,7 +22,8 @@ struct BodyStresses {
   /// the area of the cell times virial().
   std::vector<Mat2> moment;
 
-  /// The static stress: -(1/A) dU/d(strain); Evaluation::virial per area where no body is rigid.
+  /// The static stress: -(1/A) dU/d(strain); Evaluation::virial per area, but for the inertia of the sites of rigid
+  /// bodies that turn.
   Mat2 virial() const { return shape + contact + wall; }
   /// The full stress (9.26).
   Mat2 total() const { return kinetic + virial(); }
@@ -44,7 +45,7 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
                            std::span<const SiteForce<2>> wall = {});
 
 /// The same of a force field of bodies, at the instant of `evaluation`. The shape forces of rigid bodies are what keeps
-/// their sites together: mass times acceleration less all other forces. Evaluation::virial does not know them.
+/// their sites together: mass times acceleration less all other forces. Evaluation::virial has them at rest.
 BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
 
 }  // namespace supple

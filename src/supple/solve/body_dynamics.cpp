@@ -85,7 +85,6 @@ void BodyDynamics::advance(System<2>& system, double dt) {
   const double decay = std::exp(-0.5 * damping_ * dt);
   if (damping_ > 0) damp(system, decay);
   kick(system, evaluation_.force, 0.5 * dt);
-  place_sites(system);
   current_ = false;
   drift(system, dt);
   system.time += dt;
