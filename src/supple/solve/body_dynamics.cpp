@@ -70,6 +70,11 @@ void BodyDynamics::set_damping(double rate) {
   damping_ = rate;
 }
 
+void BodyDynamics::set_plasticity(const std::optional<PlasticLaw>& law) {
+  if (law) check(*law);
+  plasticity_ = law;
+}
+
 const Evaluation<2>& BodyDynamics::evaluate(System<2>& system, Detail detail) {
   if (!current_ || (detail == Detail::energies && detail_ != detail)) forces_.evaluate(system, detail, evaluation_);
   detail_ = current_ ? std::max(detail, detail_) : detail;
@@ -87,6 +92,7 @@ void BodyDynamics::advance(System<2>& system, double dt) {
   kick(system, evaluation_.force, 0.5 * dt);
   current_ = false;
   drift(system, dt);
+  if (plasticity_) supple::advance(system, *plasticity_, dt);
   system.time += dt;
   ++system.step;
   evaluate(system);

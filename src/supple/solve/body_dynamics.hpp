@@ -2,6 +2,7 @@
 #pragma once
 #include "supple/force/force_field.hpp"
 #include "supple/model/system.hpp"
+#include "supple/solve/plasticity.hpp"
 
 namespace supple {
 
@@ -24,6 +25,9 @@ class BodyDynamics {
 
   double damping() const { return damping_; }
   void set_damping(double rate);
+  /// Preferred shapes flow by this law in every step, once positions have moved: its forces are those of the new shape.
+  /// Nothing: they stay. Input error on a law that means nothing.
+  void set_plasticity(const std::optional<PlasticLaw>& law);
   /// After anything but this class has changed the system: the forces of the last step are no longer the present ones.
   void invalidate() { current_ = false; }
   ForceField& forces() {
@@ -35,6 +39,7 @@ class BodyDynamics {
   ForceField forces_;
   Evaluation<2> evaluation_;
   double damping_ = 0;
+  std::optional<PlasticLaw> plasticity_;
   bool current_ = false;
   Detail detail_ = Detail::forces;
 };
