@@ -6,6 +6,7 @@
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/observe/shape_measures.hpp"
+#include "supple/solve/body_dynamics.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple {
@@ -154,6 +155,7 @@ TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
   const BodyStresses at_rest = spun(0), turning = spun(2);
   EXPECT_NEAR(pressure(turning.total()), pressure(at_rest.total()), 1e-12 * pressure(turning.kinetic));
   EXPECT_GT(pressure(turning.kinetic), 1);
+  EXPECT_NEAR(pressure(turning.kinetic) * system.box.volume(), spin_energy(system), 1e-12 * spin_energy(system));
 }
 
 TEST(BodyStress, WallsPressToo) {

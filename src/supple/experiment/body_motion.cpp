@@ -41,7 +41,8 @@ std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& eval
   const double kinetic = kinetic_energy(s), potential = evaluation.energy.stored();
   double height = 0;
   for (const Vec2& x : s.state.position) height += x[gradient] / s.state.size();
-  const double p = 0.5 * (evaluation.virial[0][0] + evaluation.virial[1][1] + 2 * kinetic) / s.box.volume() / packing.pressure_unit;
+  const double moving = 2 * (kinetic - spin_energy(s));
+  const double p = 0.5 * (evaluation.virial[0][0] + evaluation.virial[1][1] + moving) / s.box.volume() / packing.pressure_unit;
   return {s.time, kinetic, potential, kinetic + potential, p, height};
 }
 

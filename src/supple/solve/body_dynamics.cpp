@@ -109,6 +109,13 @@ double kinetic_energy(const System<2>& system) {
   return sum;
 }
 
+double spin_energy(const System<2>& system) {
+  double sum = 0;
+  for (int r = 0; r < system.rigid.size(); ++r)
+    sum += 0.5 * system.rigid.inertia[r] * system.rigid.spin[r] * system.rigid.spin[r];
+  return sum;
+}
+
 Vec2 momentum(const System<2>& system) {
   Vec2 sum{};
   for (int i = 0; i < system.state.size(); ++i) sum += system.state.mass[i] * system.state.velocity[i];

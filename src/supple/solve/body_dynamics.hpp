@@ -46,6 +46,9 @@ class BodyDynamics {
 
 /// Sum of m v^2/2 over all sites [energy]; rigid bodies included, as their sites move with them.
 double kinetic_energy(const System<2>& system);
+/// Sum of I w^2/2 over rigid bodies [energy], a part of it: it makes no pressure, as what keeps them together takes
+/// that away.
+double spin_energy(const System<2>& system);
 /// Sum of m v.
 Vec2 momentum(const System<2>& system);
 

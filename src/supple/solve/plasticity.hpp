@@ -12,7 +12,7 @@ namespace supple {
 /// toward x/(1 + s yield), where it would just not flow. A preferred angle does the same by a difference,
 ///     d(theta0)/dt = (delta - s yield) / time,   delta = theta - theta0, less its mean over the body, s = sign(delta),
 /// as angles of a ring sum to 2 pi and a uniform change of the preferred ones has no effect. Preferred values of no
-/// stiffness stay. A yield of infinity: no flow; of 0: a Maxwell solid.
+/// stiffness stay, and that of a negative area. A yield of infinity: no flow; of 0: a Maxwell solid.
 struct PlasticLaw {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double time = 1;                                ///< tau [time]
