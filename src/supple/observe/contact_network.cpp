@@ -75,23 +75,26 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const auto& [b, which] : touched) ++network.walls[b];
+  network.wall_sites.assign(network.walls.size(), 0);
+  for (const SiteForce<2>& w : wall) ++network.wall_sites[body[w.site]];
+  for (int b = 0; b < network.bodies(); ++b) network.single.push_back(system.topology.body_size(b) == 1);
   return network;
 }
 
 std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least) {
   std::vector<std::uint8_t> rattler(static_cast<std::size_t>(network.bodies()), 0);
-  std::vector<std::int32_t> count = network.contacts_of_bodies();
   for (bool removed = true; removed;) {
     removed = false;
-    for (int b = 0; b < network.bodies(); ++b)
-      if (!rattler[b] && count[b] < least) {
-        rattler[b] = 1;
-        removed = true;
-      }
-    if (!removed) break;
-    count = network.walls;
-    for (const ContactNetwork::Pair& p : network.pairs)
-      if (!rattler[p.first] && !rattler[p.second]) ++count[p.first], ++count[p.second];
+    std::vector<std::int32_t> neighbours = network.walls, sites = network.wall_sites;
+    for (const ContactNetwork::Pair& p : network.pairs) {
+      if (rattler[p.first] || rattler[p.second]) continue;
+      for (const std::int32_t b : {p.first, p.second}) ++neighbours[b], sites[b] += p.site_contacts;
+    }
+    for (int b = 0; b < network.bodies(); ++b) {
+      if (rattler[b] || (network.single[b] ? neighbours[b] >= least : neighbours[b] >= 2 && sites[b] >= least)) continue;
+      rattler[b] = 1;
+      removed = true;
+    }
   }
   return rattler;
 }

@@ -31,7 +31,9 @@ struct ContactNetwork {
     std::int32_t site_contacts;
   };
   std::vector<Pair> pairs;          ///< ascending (first, second)
-  std::vector<std::int32_t> walls;  ///< that each body touches
+  std::vector<std::int32_t> walls;       ///< that each body touches
+  std::vector<std::int32_t> wall_sites;  ///< sites of each body that touch a wall
+  std::vector<std::uint8_t> single;      ///< 1: a body of one site, which nothing can turn
 
   int bodies() const { return static_cast<int>(walls.size()); }
   /// Bodies and walls that each body touches.
@@ -42,8 +44,10 @@ struct ContactNetwork {
 ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
                                std::span<const SiteForce<2>> wall = {});
 
-/// Bodies with fewer than `least` contacts (d + 1 in d dimensions) with bodies that are no rattlers, removed until none
-/// is left. One number per body, 1: a rattler.
+/// Bodies that their contacts cannot hold, removed until none is left. A disc: fewer than `least` = d + 1 neighbours (walls count) that are
+/// no rattlers. A body that can turn is held by as many contacts of its vertices, from two sides at least: it may rest between two
+/// neighbours, as one wheel does between the teeth of two others, and where z is near 3 the rule for discs would take away one
+/// particle after the other of a packing that bears pressure. One number per body, 1: a rattler.
 std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least = 3);
 
 /// Contact numbers of the bodies that are not left out.

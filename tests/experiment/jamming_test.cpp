@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/jam.hpp"
+#include "supple/experiment/packing_record.hpp"
+#include "supple/model/rigid.hpp"
+
+namespace supple {
+namespace {
+
+struct Family {
+  const char *name, *family, *contact;
+  double shape_parameter = 0;
+  int discs = 0;
+};
+
+void PrintTo(const Family& f, std::ostream* out) { *out << f.name; }
+
+Case small_case(const Family& f) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.bodies.family = f.family;
+  c.bodies.count = 8;
+  c.bodies.vertices = 10;
+  c.bodies.shape_parameter = f.shape_parameter;
+  c.bodies.discs = f.discs;
+  c.contact.kind = f.contact;
+  c.jamming.packing_fraction = 0.4;
+  c.jamming.step = 0.01;
+  c.jamming.pressure = 1e-5;
+  resolve_family(c);
+  return c;
+}
+
+class JammingOf : public ::testing::TestWithParam<Family> {};
+
+/// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with their centres.
+double strained_energy(const Packing& packing, int i, int j, double e) {
+  Packing p = packing;
+  System<2>& s = p.system;
+  const auto move = [&](Vec2& x) { x[i] += e * x[j]; };
+  for (Vec2& x : s.state.position) move(x);
+  for (Vec2& x : s.rigid.centre) move(x);
+  place_sites(s);
+  if (i == j) {
+    s.box.length[i] *= 1 + e;
+    s.box.strain *= i == flow ? 1 + e : 1 / (1 + e);
+  } else {
+    s.box.strain += e;
+  }
+  Evaluation<2> out;
+  p.field->invalidate();
+  p.field->evaluate(s, Detail::energies, out);
+  return out.energy.stored();
+}
+
+/// dU/d(strain) by a difference of fourth order.
+double slope(const Packing& p, int i, int j) {
+  const double h = 2e-6;  // contacts must not open or close within it
+  return (8 * (strained_energy(p, i, j, h) - strained_energy(p, i, j, -h)) -
+          (strained_energy(p, i, j, 2 * h) - strained_energy(p, i, j, -2 * h))) / (12 * h);
+}
+
+TEST_P(JammingOf, ReachesTheWindow) {
+  const Case c = small_case(GetParam());
+  MemoryRecorder recorder;
+  run_jamming(c, nullptr, recorder);
+  const double p = recorder.get("results", "pressure");
+  EXPECT_GT(p, c.jamming.pressure);
+  EXPECT_LT(p, c.jamming.pressure * (1 + c.jamming.window));
+  EXPECT_LE(recorder.get("results", "residual"), recorder.get("results", "tolerance"));
+  EXPECT_EQ(recorder.get("results", "unconverged"), 0);
+  EXPECT_GT(recorder.get("results", "packing_fraction"), 0.6);
+  EXPECT_LT(recorder.get("results", "packing_fraction"), 1);
+  EXPECT_GT(recorder.get("results", "mean_contacts"), 2);
+  EXPECT_LT(recorder.get("results", "rattlers"), 5);
+  EXPECT_TRUE(recorder.warnings.empty()) << recorder.warnings.front();
+}
+
+/// -dU/d(strain) is the stress, and the stresses of the particles add up to it.
+TEST_P(JammingOf, HasTheStressOfItsEnergy) {
+  Case c = small_case(GetParam());
+  c.jamming.pressure = 3e-3;
+  Packing packing = make_packing(c, nullptr, 0.4);
+  jam(packing, jam_spec(c));
+  const PackingReport r = report_packing(packing);
+  const double area = packing.system.box.volume();
+  const Mat2 stress = r.stresses.virial();
+  const double scale = pressure(stress);
+  ASSERT_GT(scale, 0);
+  for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {flow, gradient}})
+    EXPECT_NEAR(stress[i][j], -slope(packing, i, j) / area, 1e-8 * scale) << i << j;
+  EXPECT_NEAR(stress[0][1], stress[1][0], 1e-8 * scale);
+  Mat2 sum;
+  for (const Mat2& moment : r.stresses.moment) sum += moment;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      EXPECT_NEAR(sum[i][j] / area, stress[i][j], 1e-12 * scale) << i << j;
+      EXPECT_NEAR(r.evaluation.virial[i][j] / area, stress[i][j], 1e-12 * scale) << i << j;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, JammingOf,
+                         ::testing::Values(Family{"shell", "shell", "rough"}, Family{"floppy_104", "floppy", "rough", 1.04},
+                                           Family{"floppy_115", "floppy", "rough", 1.15}, Family{"droplet", "droplet", "rough"},
+                                           Family{"smooth_shell", "shell", "smooth"}, Family{"smooth_droplet", "droplet", "smooth"},
+                                           Family{"disc", "disc", "rough"}, Family{"rough_disc", "rough_disc", "rough"},
+                                           Family{"mixed", "shell", "rough", 0, 4}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Jamming, ChapterAndRootSearchEndInTheSameWindow) {
+  Case c = small_case({"disc", "disc", "rough"});
+  c.bodies.count = 16;
+  c.jamming.pressure = 1e-6;
+  double phi[2];
+  int k = 0;
+  for (const char* search : {"chapter", "root"}) {
+    c.jamming.search = search;
+    MemoryRecorder recorder;
+    run_jamming(c, nullptr, recorder);
+    EXPECT_GT(recorder.get("results", "pressure"), 1e-6);
+    EXPECT_LT(recorder.get("results", "pressure"), 1.01e-6);
+    phi[k++] = recorder.get("results", "packing_fraction");
+  }
+  EXPECT_NEAR(phi[0], phi[1], 0.03);  // not the same packing: the way there differs
+}
+
+TEST(Jamming, SameSeedSameBits) {
+  const Case c = small_case({"shell", "shell", "rough"});
+  MemoryRecorder one, two;
+  run_jamming(c, nullptr, one);
+  run_jamming(c, nullptr, two);
+  EXPECT_EQ(one.last_system.state.position, two.last_system.state.position);
+}
+
+TEST(Jamming, SmallMinimisationsSayThatTheyDidNotConverge) {
+  Case c = small_case({"shell", "shell", "rough"});
+  c.minimise.max_evaluations = 20;
+  MemoryRecorder recorder;
+  try {
+    run_jamming(c, nullptr, recorder);
+    EXPECT_GT(recorder.get("results", "unconverged"), 0);
+    EXPECT_FALSE(recorder.warnings.empty());
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::numerics);
+    EXPECT_GT(recorder.last_system.state.size(), 0) << "the state is handed over";
+  }
+}
+
+TEST(Compression, GoesUpTheListAndBack) {
+  Case c = small_case({"disc", "disc", "rough"});
+  c.general.experiment = "compression";
+  c.bodies.count = 16;
+  c.jamming.pressure = 1e-5;
+  c.compression.highest_pressure = 1e-3;
+  c.compression.per_decade = 2;
+  MemoryRecorder recorder;
+  run_compression(c, nullptr, recorder);
+  const auto& table = recorder.tables.at("packing");
+  const std::vector<double> p = table.column("pressure"), phi = table.column("packing_fraction"), branch = table.column("branch");
+  ASSERT_EQ(p.size(), 9u);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double wanted = 1e-5 * std::pow(10, 0.5 * static_cast<double>(k < 5 ? k : 8 - k));
+    EXPECT_GT(p[k], wanted) << k;
+    EXPECT_LT(p[k], 1.01 * wanted) << k;
+    EXPECT_EQ(branch[k], k < 5 ? 1 : -1);
+  }
+  EXPECT_GT(phi[4], phi[0] + 1e-4);
+  EXPECT_EQ(recorder.frames.size(), 10u);
+}
+
+TEST(UniaxialCompression, RaisesTheForceOnTheWall) {
+  Case c = small_case({"shell", "shell", "rough"});
+  c.general.experiment = "uniaxial_compression";
+  c.uniaxial.strain = 0.2;
+  c.uniaxial.step = 0.02;
+  MemoryRecorder recorder;
+  run_uniaxial_compression(c, nullptr, recorder);
+  const auto& table = recorder.tables.at("packing");
+  const std::vector<double> strain = table.column("strain"), force = table.column("wall_force"), syy = table.column("stress_yy");
+  ASSERT_EQ(strain.size(), 11u);
+  EXPECT_NEAR(strain.back(), 0.2, 1e-12);
+  EXPECT_GT(force.back(), 10 * std::max(force.front(), 1e-6));
+  // The upper wall bears the stress over its width.
+  const double width = recorder.last_system.box.length[flow], unit = recorder.get("constants", "pressure_unit");
+  EXPECT_NEAR(force.back() / width / unit, syy.back(), 0.2 * syy.back());
+}
+
+}  // namespace
+}  // namespace supple
