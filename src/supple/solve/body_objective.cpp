@@ -1,6 +1,7 @@
 #include "supple/solve/body_objective.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace supple {
@@ -78,8 +79,16 @@ double BodyObjective::evaluate(std::span<const double> x, std::span<double> slop
   field_.evaluate(system_, Detail::energies, out_);
   degrees_.gradient(system_, out_.force, slope);
   // The mean contact force changes slowly: it need not be counted at every step, only before one believes the tolerance.
-  if (--until_refresh_ < 0 || largest(slope) <= tolerance_now_) refresh_tolerance(x);
+  if (--until_refresh_ < 0 || residual(x, slope) <= tolerance_now_) refresh_tolerance(x);
   return out_.energy.stored();
+}
+
+double BodyObjective::residual(std::span<const double>, std::span<const double> slope) {
+  const auto of_sites = 2 * static_cast<std::size_t>(degrees_.site_count());
+  double square = 0, other = 0;
+  for (std::size_t k = 0; k < of_sites; k += 2) square = std::max(square, slope[k] * slope[k] + slope[k + 1] * slope[k + 1]);
+  for (std::size_t k = of_sites; k < slope.size(); ++k) other = std::max(other, std::abs(slope[k]));
+  return std::max(std::sqrt(square), other);
 }
 
 void BodyObjective::refresh_tolerance(std::span<const double> x) {

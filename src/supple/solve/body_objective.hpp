@@ -23,6 +23,8 @@ class BodyObjective final : public Objective {
   int size() const override { return degrees_.size(); }
   double evaluate(std::span<const double> x, std::span<double> gradient) override;
   void hessian(std::span<const double> x, SparseMatrix& lower) override;
+  /// Largest net force on a site, or on a rigid body along one of its numbers.
+  double residual(std::span<const double> x, std::span<const double> slope) override;
   double tolerance() const override { return tolerance_now_; }
   double largest_move() const override { return largest_move_; }
 
