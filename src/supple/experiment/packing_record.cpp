@@ -17,12 +17,6 @@ std::vector<double> body_pressures(const Packing& packing, const PackingReport& 
   return out;
 }
 
-double largest_force(const PackingReport& r) {
-  double most = 0;
-  for (const Vec2& f : r.evaluation.force) most = std::max(most, norm(f));
-  return most;
-}
-
 template <class T>
 std::vector<double> as_numbers(const std::vector<T>& values) {
   return {values.begin(), values.end()};
@@ -94,7 +88,7 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& r, 
           r.evaluation.energy.stored(),
           r.numbers.mean(),
           static_cast<double>(std::count(r.rattlers.begin(), r.rattlers.end(), 1)),
-          largest_force(r),
+          largest_net_force(packing.system, r.evaluation.force),
           work.last.tolerance,
           static_cast<double>(work.evaluations)};
 }

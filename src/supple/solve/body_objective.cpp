@@ -44,6 +44,14 @@ void assemble(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& lowe
   lower.resizeNonZeros(at);
 }
 
+double largest_net(const BodyDegrees& degrees, std::span<const double> slope) {
+  const auto of_sites = 2 * static_cast<std::size_t>(degrees.site_count());
+  double square = 0, other = 0;
+  for (std::size_t k = 0; k < of_sites; k += 2) square = std::max(square, slope[k] * slope[k] + slope[k + 1] * slope[k + 1]);
+  for (std::size_t k = of_sites; k < slope.size(); ++k) other = std::max(other, std::abs(slope[k]));
+  return std::max(std::sqrt(square), other);
+}
+
 /// Stiffness of the stiffest vertex [energy/length^2]: two edges and three corners, or a contact.
 double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
   double most = 0;
@@ -83,13 +91,14 @@ double BodyObjective::evaluate(std::span<const double> x, std::span<double> slop
   return out_.energy.stored();
 }
 
-double BodyObjective::residual(std::span<const double>, std::span<const double> slope) {
-  const auto of_sites = 2 * static_cast<std::size_t>(degrees_.site_count());
-  double square = 0, other = 0;
-  for (std::size_t k = 0; k < of_sites; k += 2) square = std::max(square, slope[k] * slope[k] + slope[k + 1] * slope[k + 1]);
-  for (std::size_t k = of_sites; k < slope.size(); ++k) other = std::max(other, std::abs(slope[k]));
-  return std::max(std::sqrt(square), other);
+double largest_net_force(const System<2>& system, const std::vector<Vec2>& force) {
+  const BodyDegrees degrees(system);
+  std::vector<double> slope(static_cast<std::size_t>(degrees.size()));
+  degrees.gradient(system, force, slope);
+  return largest_net(degrees, slope);
 }
+
+double BodyObjective::residual(std::span<const double>, std::span<const double> slope) { return largest_net(degrees_, slope); }
 
 void BodyObjective::refresh_tolerance(std::span<const double> x) {
   constexpr int interval = 100;

@@ -43,6 +43,9 @@ class BodyObjective final : public Objective {
   int until_refresh_ = 0;
 };
 
+/// Largest net force of these forces on the sites: on a free site, or on a rigid body along one of its numbers.
+double largest_net_force(const System<2>& system, const std::vector<Vec2>& force);
+
 /// Mean magnitude of the forces of the contacts, 0 where nothing touches.
 double mean_contact_force(const System<2>& system, BodyContacts& contacts);
 
