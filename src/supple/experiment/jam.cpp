@@ -25,7 +25,7 @@ class Search {
 
   JamProgress run() {
     Point low = minimised(packing_.system, 0);
-    if (low.pressure >= spec_.pressure) return descend(low);
+    if (low.pressure >= spec_.pressure) return descend(low, spec_.step);
     return spec_.search == JamSearch::chapter ? halve_steps(low) : stride(low);
   }
 
@@ -55,7 +55,7 @@ class Search {
       } else if (step > spec_.step) {
         step = std::max(spec_.step, 0.2 * step);
       } else {
-        return find_root(low, next);
+        return find_root(low, next, From::below);
       }
     }
   }
@@ -85,39 +85,34 @@ class Search {
     return progress_;
   }
 
-  /// Already above: goes down by growing steps until below, then searches between, always from the state above.
-  JamProgress descend(Point high) {
+  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays jammed on the way down to
+  /// densities at which it had not yet on the way up.
+  enum class From { below, above };
+
+  /// Already above: goes down by growing steps until below, then searches between, from the state above.
+  JamProgress descend(Point high, double first_step) {
     if (jammed(high)) return accept(high);
-    for (double step = spec_.step;; step *= 1.5) {
+    for (double step = first_step;; step *= 1.5) {
       const Point next = minimised(high.system, high.density - step, high.density);
       if (jammed(next)) return accept(next);
-      if (next.pressure < spec_.pressure) return find_root(next, high);
+      if (next.pressure < spec_.pressure) return find_root(next, high, From::above);
       high = next;
     }
   }
 
   /// A state inside the window between `low` (below) and `high` (above), by false position on P with the weight of an end that stays
   /// halved [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
-  JamProgress find_root(Point low, Point high) {
+  JamProgress find_root(Point low, Point high, From from) {
     const double target = spec_.pressure * (1 + 0.5 * spec_.window);
     double low_weight = 1, high_weight = 1;
-    bool from_low = true;
     for (int k = 0; k < 200; ++k) {
       const double width = high.density - low.density;
-      if (width < smallest) {  // the pressure jumps here: the packing rearranges. Come back from the other side.
-        if (!from_low) throw lost(low, high);
-        from_low = false;
-        const Point next = minimised(high.system, high.density - 1e-6, high.density);
-        if (jammed(next)) return accept(next);
-        if (next.pressure > spec_.pressure) return descend(next);
-        low = next;
-        low_weight = high_weight = 1;
-        continue;
-      }
+      // The pressure jumps here: the packing rearranges. Come back from the other side.
+      if (width < smallest) return turn_back(low, high, from);
       const double below = low_weight * (low.pressure - target), above = high_weight * (high.pressure - target);
       double share = low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
       share = std::clamp(share, 0.02, 0.98);
-      const Point& start = from_low ? low : high;
+      const Point& start = from == From::below ? low : high;
       const Point next = minimised(start.system, low.density + share * width, start.density);
       if (jammed(next)) return accept(next);
       if (next.pressure < spec_.pressure) {
@@ -133,6 +128,14 @@ class Search {
     }
     throw lost(low, high);
   }
+
+  /// After a jump: down from the state above it, or up again from the one below.
+  JamProgress turn_back(const Point& low, const Point& high, From from) {
+    if (++turns_ > most_turns) throw lost(low, high);
+    slope_ = 0;
+    return from == From::below ? descend(high, 0.1 * spec_.step) : stride(low);
+  }
+  static constexpr int most_turns = 6;
 
   /// Where the line through the last two states above meets the target, as a share of the interval; its middle before there are two.
   double guess_from_above(const Point& low, const Point& high) const {
@@ -156,6 +159,7 @@ class Search {
   const JamCallback& callback_;
   JamProgress progress_;
   Point high_;
+  int turns_ = 0;
   double slope_ = 0;  ///< dP/d(ln phi) between the last two states above
 };
 
