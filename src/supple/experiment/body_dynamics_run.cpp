@@ -30,6 +30,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   if (c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
   const double dt = body_time_step(c, packing);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
+  dynamics.set_plasticity(plastic_law(c));
   begin_packing(packing, derive_body_dynamics(c, initial), recorder);
   recorder.declare("motion", motion_columns());
   const std::int64_t steps = c.time.steps, per_row = interval(steps, rows), per_frame = interval(steps, c.output.frames);

@@ -11,6 +11,11 @@ double body_time_step(const Case& c, Packing& packing) {
   return c.time.time_step > 0 ? c.time.time_step : c.time.step_factor * default_step(packing.system, *packing.field);
 }
 
+std::optional<PlasticLaw> plastic_law(const Case& c) {
+  if (c.bodies.flow_time <= 0) return std::nullopt;
+  return PlasticLaw{c.bodies.flow_time, c.bodies.yield_strain, c.bodies.yield_strain, c.bodies.yield_strain};
+}
+
 void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed) {
   State<2>& s = system.state;
   Vec2 total{};

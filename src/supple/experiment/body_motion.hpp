@@ -1,5 +1,7 @@
 /// Steps of bodies in time, as experiments need them.
 #pragma once
+#include <optional>
+
 #include "supple/experiment/packing_record.hpp"
 #include "supple/solve/body_dynamics.hpp"
 
@@ -7,6 +9,9 @@ namespace supple {
 
 /// Step of the case, or the default one times its step_factor.
 double body_time_step(const Case& c, Packing& packing);
+
+/// How preferred shapes flow, where the case says that they do.
+std::optional<PlasticLaw> plastic_law(const Case& c);
 
 /// Gaussian velocities of this mean kinetic energy per site, without net momentum.
 void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed);

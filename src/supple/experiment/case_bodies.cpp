@@ -23,7 +23,7 @@ const Fields<Bodies>& fields() {
       {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative},
       {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
-      {"yield_strain", &B::yield_strain, "", "strain of length, area or angle beyond which preferred shapes flow", not_negative},
+      {"yield_strain", &B::yield_strain, "", "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative},
       {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative},
   };
   return f;

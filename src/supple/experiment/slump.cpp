@@ -129,6 +129,7 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   const std::int64_t total = settle + spread, per_row = std::max<std::int64_t>(1, total / 1000),
              per_frame = std::max<std::int64_t>(1, total / c.output.frames);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
+  dynamics.set_plasticity(plastic_law(c));
   for (std::int64_t i = 0; i <= total; ++i) {
     if (i == settle) {
       const std::vector<double> row = slump_row(packing, dynamics.evaluate(s, Detail::energies));
