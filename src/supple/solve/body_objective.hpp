@@ -25,6 +25,15 @@ class BodyObjective final : public Objective {
   void hessian(std::span<const double> x, SparseMatrix& lower) override;
   /// Largest net force on a site, or on a rigid body along one of its numbers.
   double residual(std::span<const double> x, std::span<const double> slope) override;
+  /// visit(k) for each pair of numbers k, k + 1 that is a position: of a site, or of a rigid body's centre.
+  template <class Visit>
+  void for_positions(const Visit& visit) const {
+    const auto of_sites = 2 * static_cast<std::size_t>(degrees_.site_count()), all = static_cast<std::size_t>(size());
+    for (std::size_t k = 0; k < of_sites; k += 2) visit(k);
+    for (std::size_t k = of_sites; k < all; k += 3) visit(k);
+  }
+  /// The last one, with energies.
+  const Evaluation<2>& evaluation() const { return out_; }
   double tolerance() const override { return tolerance_now_; }
   double largest_move() const override { return largest_move_; }
 

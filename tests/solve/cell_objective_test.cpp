@@ -1,0 +1,57 @@
+#include "supple/solve/cell_objective.hpp"
+
+#include <gtest/gtest.h>
+
+#include "supple/contact/rough_contacts.hpp"
+#include "supple/model/rigid.hpp"
+#include "tests/support/polygons.hpp"
+
+namespace supple {
+namespace {
+
+struct Sample {
+  System<2> system = testing::random_polygons();
+  ForceField field = testing::polygon_field(std::make_shared<RoughContacts>(Harmonic{1}));
+};
+
+TEST(CellObjective, SlopeIsThatOfTheEnthalpy) {
+  Sample s;
+  make_rigid(s.system, 3);
+  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  std::vector<double> x = cell.coordinates(), slope(x.size()), unused(x.size());
+  x[x.size() - 2] = 0.03;  // a cell that has already moved
+  x[x.size() - 1] = -0.02;
+  cell.evaluate(x, slope);
+  const double h = 1e-6;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double x0 = x[k];
+    x[k] = x0 + h;
+    const double above = cell.evaluate(x, unused);
+    x[k] = x0 - h;
+    const double below = cell.evaluate(x, unused);
+    x[k] = x0;
+    EXPECT_NEAR(slope[k], (above - below) / (2 * h), 1e-7 * (1 + std::abs(slope[k]))) << k;
+  }
+}
+
+/// The same minimiser, with the cell among its numbers: it ends where the stress is the one asked for.
+TEST(CellObjective, MinimiserFindsTheCellOfAPressureAndAShearStress) {
+  for (const Minimiser method : {Minimiser::fire, Minimiser::automatic}) {
+    Sample s;
+    const double pressure = 0.02, shear = 1e-3;
+    CellObjective cell(s.system, s.field, {1e-8, 1e-10}, {true, true}, pressure, shear);
+    std::vector<double> x = cell.coordinates();
+    MinimiseSpec spec;
+    spec.method = method;
+    const MinimiseReport report = minimise(cell, x, spec);
+    EXPECT_TRUE(report.converged) << report.reason;
+    Evaluation<2> out;
+    s.field.evaluate(s.system, Detail::energies, out);
+    const double area = s.system.box.volume(), start = testing::random_polygons().box.volume();
+    EXPECT_NEAR(0.5 * (out.virial[0][0] + out.virial[1][1]) / area, pressure, 1e-6 * pressure);
+    EXPECT_NEAR(-out.virial[0][1] / start, shear, 1e-5 * shear);
+  }
+}
+
+}  // namespace
+}  // namespace supple
