@@ -51,6 +51,8 @@ void expect_same(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same_bits(a.spin, b.spin));
   EXPECT_TRUE(same_bits(a.torque, b.torque));
   EXPECT_EQ(a.mobility, b.mobility);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.body, b.body);
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     const ContactRow &x = a.contacts[c], &y = b.contacts[c];
@@ -80,6 +82,7 @@ void expect_sample(const RunFile& run, int seen) {
   EXPECT_EQ(info.mass, expected.mass);
   EXPECT_EQ(info.inertia, expected.inertia);
   EXPECT_EQ(info.particle, expected.particle);
+  EXPECT_EQ(info.body_begin, expected.body_begin);
 
   EXPECT_THAT(run.tables(), ::testing::UnorderedElementsAre("stress", "empty"));
   const auto columns = run.columns("stress");
@@ -230,6 +233,58 @@ TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
   EXPECT_THAT(file_error_of([&] { run.value("results", "G"); }), HasSubstr("no number 'G'"));
 }
 
+/// Runs of microgel discs, and runs written before there were bodies, have neither.
+TEST_F(RunFileTest, FramesWithoutBodiesHaveTheCellOfTheRun) {
+  for (const FlushSpec flush : {FlushSpec{}, always}) {
+    FileRecorder to = recorder(flush, Existing::replace);
+    RunInfo info = sample_info(discs);
+    info.body_begin.clear();
+    to.begin(info);
+    for (int k = 0; k < 3; ++k) {
+      Frame frame = sample_frame(discs, k);
+      frame.length = {};
+      frame.body.clear();
+      to.frame(frame);
+    }
+    to.finish("complete");
+    const RunFile run(path());
+    EXPECT_TRUE(run.info().body_begin.empty());
+    EXPECT_TRUE(run.frame(2).body.empty());
+    EXPECT_EQ(run.frame(2).length, (Vec2{500, 400}));
+    EXPECT_FALSE(h5::open_file(path()).has("frames/body"));
+    EXPECT_FALSE(h5::open_file(path()).has("discs/body_begin"));
+  }
+}
+
+TEST_F(RunFileTest, AllFramesHaveTheSameNumbersOfBodies) {
+  FileRecorder to = recorder(always);
+  to.begin(sample_info(discs));
+  to.frame(sample_frame(discs, 0));
+  Frame other = sample_frame(discs, 1);
+  other.body["more"] = {1, 2};
+  EXPECT_THROW(to.frame(other), Error);
+  other.body.erase("more");
+  other.body.erase("zeal");
+  EXPECT_THROW(to.frame(other), Error);
+  other.body["zeal"] = {1};
+  EXPECT_THROW(to.frame(other), Error);
+  to.frame(sample_frame(discs, 1));
+}
+
+/// A run in reduced units has numbers without units.
+TEST_F(RunFileTest, ReducedUnitsHaveNoNames) {
+  FileRecorder to = recorder();
+  RunInfo info = sample_info(discs);
+  info.units = reduced_units();
+  to.begin(info);
+  to.frame(sample_frame(discs, 0));
+  to.finish("complete");
+  const h5::Group root = h5::open_file(path());
+  EXPECT_EQ(root.open_dataset("discs/radius").text("unit"), "");
+  for (const char* name : {"frames/position", "frames/time", "frames/spin", "frames/length"})
+    EXPECT_FALSE(root.open_dataset(name).has_attribute("unit")) << name;
+}
+
 /// What a Python user sees, without Supple.
 TEST_F(RunFileTest, H5pyReadsIt) {
   FileRecorder to = recorder(always);
@@ -252,6 +307,12 @@ with h5py.File(sys.argv[1]) as f:
     assert frames['position'][2, 1, 0] == 201 / 3
     begin, count = frames['contact_begin'][3], frames['contact_count'][3]
     assert frames['contact_normal_force'][begin:begin + count].tolist() == [0, 1 / 3, 2 / 3]
+    assert frames['length'].shape == (23, 2) and frames['length'].attrs['unit'] == '1e-06 m'
+    pressure = frames['body/pressure']
+    assert pressure.shape == (23, 2) and pressure[7, 1] == -7 / 41
+    assert pressure.attrs['unit'] == 'k_a a0' and 'pressure' in pressure.attrs['meaning']
+    assert frames['body/zeal'].shape == (23, 2)
+    assert f['discs/body_begin'][()].tolist() == [0, 2, 5]
     g = f['results/storage_modulus']
     assert g[()] == 565 and g.attrs['error'] == 17 and g.attrs['unit'] == 'Pa'
     assert f['warnings'].asstr()[1] == 'the last warning'

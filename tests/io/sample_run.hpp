@@ -20,6 +20,7 @@ inline RunInfo sample_info(int discs) {
     info.inertia.push_back(200 + i / 9.);
     info.particle.push_back(i % 3);
   }
+  info.body_begin = {0, 2, discs};
   return info;
 }
 
@@ -39,6 +40,9 @@ inline Frame sample_frame(int discs, int k) {
     frame.torque.push_back(x / 31);
     frame.mobility.push_back(static_cast<Mobility>((i + k) % 4));
   }
+  frame.length = {500. - k, 400 - k / 3.};
+  frame.body["pressure"] = {k / 37., -k / 41.};
+  frame.body["zeal"] = {k / 43., k / 47.};
   for (int c = 0; c < k % 4; ++c)
     frame.contacts.push_back({c, c + 1, static_cast<ContactState>(1 + c % 3), k / 3., k / 7., c / 3., c / 7. + k});
   return frame;

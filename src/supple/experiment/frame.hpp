@@ -6,12 +6,15 @@
 
 namespace supple {
 
-/// The instant of `evaluation`: contacts as it found them.
+/// The instant of `evaluation`: contacts of discs as it found them.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 
-Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const std::vector<ContactRecord<2>>& records, const Harmonic& law);
+/// The same of bodies with these contacts: rows ascending, without friction. Two corners that meet head on, each of
+/// which acts on the other's edges, are one row.
+Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const std::vector<ContactRecord<2>>& records,
+                 const Harmonic& law);
 
-/// What a run is: sizes, masses and crosslinked particles of the discs.
+/// What a run is: sizes and masses of the sites, their bodies or, of discs, crosslinked particles.
 RunInfo make_run_info(const System<2>& system, const Units& units);
 
 }  // namespace supple

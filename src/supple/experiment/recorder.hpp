@@ -25,6 +25,9 @@ struct ContactRow {
   double normal_force, tangential_force;
 };
 
+/// Numbers of bodies by name: "pressure", "shape_parameter", ...; one for each body.
+using BodyNumbers = std::map<std::string, std::vector<double>>;
+
 /// The whole system at one instant, for trajectories and pictures. Values in the run's units.
 struct Frame {
   std::int64_t step = 0;
@@ -33,17 +36,17 @@ struct Frame {
   std::vector<double> angle, spin, torque;
   std::vector<Mobility> mobility;
   std::vector<ContactRow> contacts;
-  Vec2 length{};
-  std::map<std::string, std::vector<double>> body;
+  Vec2 length{};     ///< of the cell at this instant; (0, 0): that of the run
+  BodyNumbers body;  ///< the same names in all frames of a run
 };
 
-/// What a run is, written before the first step. Discs keep size and mass, so they stand here and not in frames.
+/// What a run is, written before the first step. Sites keep size and mass, so they stand here and not in frames.
 struct RunInfo {
   Units units;
   Box<2> box;
   std::vector<double> radius, mass, inertia;
-  std::vector<std::int32_t> particle;  ///< crosslinked particle of each disc, 0-based
-  std::vector<std::int32_t> body_begin;
+  std::vector<std::int32_t> particle;    ///< of each site, 0-based: crosslinked particle of a disc, body of a vertex
+  std::vector<std::int32_t> body_begin;  ///< Topology::begin; empty: microgel discs
 };
 
 /// Streams that an experiment may write: "preparation" (before the protocol) and "stress" (one row per step).

@@ -41,12 +41,16 @@ void append_table(h5::Group& tables, const std::string& name, const std::vector<
   }
 }
 
-/// Appends each member of the group `name` of `from`, arrays that grow, to the same in `to`.
+/// Appends each member of the group `name` of `from`, arrays that grow and groups of such, to the same in `to`.
 void merge_rows(h5::Group& to, const h5::Group& from, const std::string& name) {
   if (!from.has(name)) return;
   const h5::Group source = from.open_group(name);
   h5::Group group = to.has(name) ? to.open_group(name) : to.create_group(name);
   for (const std::string& member : source.names()) {
+    if (source.is_group(member)) {
+      merge_rows(group, source, member);
+      continue;
+    }
     if (!group.has(member)) group.create_rows_like(source, member);
     group.append_rows_of(source, member);
   }
@@ -98,8 +102,15 @@ void FileRecorder::append(const std::string& table, std::span<const double> row)
 }
 
 void FileRecorder::frame(const Frame& frame) {
+  std::map<std::string, std::size_t> numbers;
+  for (const auto& [name, values] : frame.body) numbers[name] = values.size();
+  if (!body_numbers_) body_numbers_ = numbers;
+  if (numbers != *body_numbers_)
+    throw input_error("a frame has other numbers of bodies than the first one", "all frames of a run are alike");
   frames_.push_back(frame);
-  count(frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow));
+  std::size_t bytes = frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
+  for (const auto& [name, values] : frame.body) bytes += values.size() * sizeof(double);
+  count(bytes);
 }
 
 void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {

@@ -75,6 +75,7 @@ class FileRecorder : public Recorder {
   std::size_t bytes_ = 0;      ///< gathered since the last segment
   std::map<std::string, Table> tables_;
   std::vector<Frame> frames_;
+  std::optional<std::map<std::string, std::size_t>> body_numbers_;  ///< names and lengths in the first frame
   std::vector<std::pair<std::string, RunValue>> values_;
   std::vector<std::string> warnings_;
   std::optional<std::pair<System<2>, Evaluation<2>>> final_;

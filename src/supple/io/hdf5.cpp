@@ -78,6 +78,11 @@ std::vector<std::string> Object::texts(const std::string& name) const {
 
 bool Group::has(const std::string& name) const { return H5Lexists(id(), name.c_str(), H5P_DEFAULT) > 0; }
 
+bool Group::is_group(const std::string& name) const {
+  const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where()));
+  return H5Iget_type(member.id()) == H5I_GROUP;
+}
+
 std::vector<std::string> Group::names() const {
   std::vector<std::string> out;
   const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {

@@ -45,6 +45,8 @@ class Group : public Object {
   using Object::Object;
 
   bool has(const std::string& name) const;
+  /// Whether the member is a group; otherwise it is a dataset.
+  bool is_group(const std::string& name) const;
   /// Names of members in the order of their creation.
   std::vector<std::string> names() const;
   Group create_group(const std::string& name);

@@ -128,8 +128,11 @@ std::int64_t RunFile::frames() const {
 Frame RunFile::frame(std::int64_t k) const {
   std::int64_t first = 0, contacts = 0;
   for (std::size_t s = 0; s < segments(); ++s) {
-    if (k >= first && k < first + segments_[s].frames)
-      return read_frame(segment(s).open_group("frames"), static_cast<std::uint64_t>(k - first), contacts);
+    if (k >= first && k < first + segments_[s].frames) {
+      Frame frame = read_frame(segment(s).open_group("frames"), static_cast<std::uint64_t>(k - first), contacts);
+      if (frame.length == Vec2{}) frame.length = info().box.length;  // as in files of older versions
+      return frame;
+    }
     first += segments_[s].frames;
     contacts += segments_[s].contacts;
   }

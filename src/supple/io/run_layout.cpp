@@ -9,8 +9,9 @@
 namespace supple {
 namespace {
 
-/// "m/s" in SI units, "1e-06 m/s" in others.
-std::string unit_text(double in_si, const char* si) {
+/// "m/s" in SI units, "1e-06 m/s" in others, nothing where a run has no units.
+std::string unit_text(const Units& units, double in_si, const char* si) {
+  if (units.name == reduced_units().name) return "";
   return in_si == 1 ? si : fmt::format("{} {}", in_si, si);
 }
 
@@ -69,7 +70,7 @@ void append_contacts(h5::Group& group, const std::vector<Frame>& frames, const U
     count.push_back(static_cast<std::int64_t>(frame.contacts.size()));
     contacts += count.back();
   }
-  const std::string length = unit_text(units.length, "m"), force = unit_text(units.force(), "N/m");
+  const std::string length = unit_text(units, units.length, "m"), force = unit_text(units, units.force(), "N/m");
   const auto column = [&]<class T>(T, const char* name, const std::string& unit, auto member) {
     append<T>(group, name, {}, unit, contact_column<T>(frames, [&](const ContactRow& c) { return c.*member; }));
   };
@@ -82,6 +83,34 @@ void append_contacts(h5::Group& group, const std::vector<Frame>& frames, const U
   column(double{}, "contact_elongation_back", length, &ContactRow::elongation_back);
   column(double{}, "contact_normal_force", force, &ContactRow::normal_force);
   column(double{}, "contact_tangential_force", force, &ContactRow::tangential_force);
+}
+
+/// Unit and meaning of the numbers of bodies that experiments write.
+const std::vector<Column>& known_body_numbers() {
+  static const std::vector<Column> known{
+      {"pressure", "k_a a0", "pressure of the body, compression positive (9.27)"},
+      {"area", "", "area that the body covers"},
+      {"shape_parameter", "", "p^2/(4 pi a); 0 for discs"},
+      {"contacts", "", "bodies and walls that it touches"},
+      {"rattler", "", "1: fewer than 3 contacts with bodies that are none"},
+  };
+  return known;
+}
+
+void append_body_numbers(h5::Group group, const std::vector<Frame>& frames) {
+  for (const auto& [name, first] : frames[0].body) {
+    const bool is_new = !group.has(name);
+    append<double>(group, name.c_str(), {first.size()}, "", stacked<double>(frames, [&](const Frame& f) {
+      return std::span<const double>(f.body.at(name));
+    }));
+    if (!is_new) continue;
+    for (const Column& known : known_body_numbers())
+      if (known.name == name) {
+        h5::Object made = group.open_dataset(name);
+        made.set("unit", known.unit);
+        made.set("meaning", known.meaning);
+      }
+  }
 }
 
 }  // namespace
@@ -111,10 +140,13 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   h5::Group box = root.create_group("box");
   write_box(box, info.box);
   h5::Group discs = root.create_group("discs");
-  discs.write("radius", info.radius).set("unit", unit_text(info.units.length, "m"));
-  discs.write("mass", info.mass).set("unit", unit_text(info.units.mass, "kg/m"));
-  discs.write("inertia", info.inertia).set("unit", unit_text(info.units.inertia(), "kg m"));
-  discs.write("particle", info.particle).set("meaning", "crosslinked particle of the disc, from 0");
+  discs.write("radius", info.radius).set("unit", unit_text(info.units, info.units.length, "m"));
+  discs.write("mass", info.mass).set("unit", unit_text(info.units, info.units.mass, "kg/m"));
+  discs.write("inertia", info.inertia).set("unit", unit_text(info.units, info.units.inertia(), "kg m"));
+  discs.write("particle", info.particle)
+      .set("meaning", info.body_begin.empty() ? "crosslinked particle of the disc, from 0" : "body of the site, from 0");
+  if (!info.body_begin.empty())
+    discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
 }
 
 RunInfo read_info(const h5::Group& root) {
@@ -126,6 +158,7 @@ RunInfo read_info(const h5::Group& root) {
   info.mass = discs.read<double>("mass");
   info.inertia = discs.read<double>("inertia");
   info.particle = discs.read<std::int32_t>("particle");
+  if (discs.has("body_begin")) info.body_begin = discs.read<std::int32_t>("body_begin");
   return info;
 }
 
@@ -170,7 +203,7 @@ void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Unit
   if (frames.empty()) return;
   h5::Group group = root.has("frames") ? root.open_group("frames") : root.create_group("frames");
   const auto discs = static_cast<std::uint64_t>(frames[0].position.size());
-  const auto scalar = [&]<class T>(T Frame::*member, const char* name, const char* unit) {
+  const auto scalar = [&]<class T>(T Frame::*member, const char* name, const std::string& unit) {
     append<T>(group, name, {}, unit,
               stacked<T>(frames, [&](const Frame& f) { return std::span<const T>(&(f.*member), 1); }));
   };
@@ -182,18 +215,22 @@ void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Unit
                    stacked<double>(frames, [&](const Frame& f) { return std::span<const double>(f.*member); }));
   };
   scalar(&Frame::step, "step", "");
-  scalar(&Frame::time, "time", "s");
+  scalar(&Frame::time, "time", unit_text(units, units.time, "s"));
   scalar(&Frame::strain, "strain", "");
-  scalar(&Frame::strain_rate, "strain_rate", "1/s");
-  vectors(&Frame::position, "position", unit_text(units.length, "m"));
-  vectors(&Frame::velocity, "velocity", unit_text(units.speed(), "m/s"));
-  vectors(&Frame::force, "force", unit_text(units.force(), "N/m"));
+  scalar(&Frame::strain_rate, "strain_rate", unit_text(units, 1 / units.time, "1/s"));
+  vectors(&Frame::position, "position", unit_text(units, units.length, "m"));
+  vectors(&Frame::velocity, "velocity", unit_text(units, units.speed(), "m/s"));
+  vectors(&Frame::force, "force", unit_text(units, units.force(), "N/m"));
   numbers(&Frame::angle, "angle", "rad");
-  numbers(&Frame::spin, "spin", "rad/s");
-  numbers(&Frame::torque, "torque", unit_text(units.torque(), "N"));
+  numbers(&Frame::spin, "spin", unit_text(units, 1 / units.time, "rad/s"));
+  numbers(&Frame::torque, "torque", unit_text(units, units.torque(), "N"));
   append<std::uint8_t>(group, "mobility", {discs}, "0 free, 1 lower plate, 2 upper plate, 3 fixed",
                        stacked<std::uint8_t>(frames, [](const Frame& f) { return codes(f.mobility); }));
+  append<double>(group, "length", {2}, unit_text(units, units.length, "m"),
+                 stacked<double>(frames, [](const Frame& f) { return std::span<const double>(f.length.e); }));
   append_contacts(group, frames, units, contacts);
+  if (!frames[0].body.empty())
+    append_body_numbers(group.has("body") ? group.open_group("body") : group.create_group("body"), frames);
 }
 
 Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts) {
@@ -211,6 +248,12 @@ Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts
   frame.spin = numbers("spin");
   frame.torque = numbers("torque");
   frame.mobility = enums_from<Mobility>(frames.read_rows<std::uint8_t>("mobility", k, 1));
+
+  if (frames.has("length")) frame.length = vectors_from<2>(numbers("length")).at(0);
+  if (frames.has("body")) {
+    const h5::Group body = frames.open_group("body");
+    for (const std::string& name : body.names()) frame.body[name] = body.read_rows<double>(name, k, 1);
+  }
 
   const auto begin = static_cast<std::uint64_t>(frames.read_rows<std::int64_t>("contact_begin", k, 1).at(0) - contacts);
   const auto count = static_cast<std::uint64_t>(frames.read_rows<std::int64_t>("contact_count", k, 1).at(0));

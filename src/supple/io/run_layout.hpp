@@ -4,9 +4,11 @@
 ///     /             attributes: format, supple_version, compiler, experiment, physics, seed, status, unit_length,
 ///                   unit_mass, unit_time (SI), units, sign_of_stress, definition_of_strain, definition_of_phase
 ///     /case         the resolved case as TOML text; each key again as an attribute, "section.key"
-///     /box /discs   the cell at the start; radius, mass, inertia, particle of each disc
+///     /box /discs   the cell at the start; radius, mass, inertia, particle of each site; body_begin: sites
+///                   [body_begin[b], body_begin[b+1]) form body b (absent for microgel discs)
 ///     /tables/T/C   column C of table T, one value per row; attributes unit, meaning
 ///     /frames       step, time, ... (F); position, velocity, force (F, N, 2); angle, spin, torque, mobility (F, N);
+///                   length of the cell (F, 2); body/NAME (F, B): a number of each body, with unit and meaning;
 ///                   contacts of frame k: rows contact_begin[k] .. + contact_count[k] of contact_first, ... (all i < j)
 ///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where known, error
 ///     /warnings     texts
@@ -38,9 +40,11 @@ Case read_stored_case(const h5::Group& root);
 void write_value(h5::Group& group, const RunValue& value);
 std::vector<RunValue> read_values(const h5::Group& group);
 
-/// Appends frames, which hold the same discs; contacts continue at row `contacts` of the run.
+/// Appends frames, which hold the same sites and name the same numbers of bodies; contacts continue at row `contacts` of
+/// the run.
 void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts);
-/// Frame `k` of this file, whose contacts start at row `contacts` of the run.
+/// Frame `k` of this file, whose contacts start at row `contacts` of the run. Its length is (0, 0) where the file has
+/// none.
 Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts);
 
 }  // namespace supple
