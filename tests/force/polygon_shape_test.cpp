@@ -101,6 +101,30 @@ TEST(PolygonShape, HasTheHessianOfTheTermsItStandsFor) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-13 * largest) << k;
 }
 
+/// What the sparse Hessian leaves out is k_a (da/dx)(da/dx)^T, and nothing where a ring needs its area to keep its shape.
+TEST(PolygonShape, HasASparseHessianWithoutTheSlopeOfTheArea) {
+  for (const double bending : {0.02, 0.0}) {
+    System<2> system;
+    system.box.length = {20, 20};
+    const int n = 9;
+    add_polygon(system, {5, 5}, 2, n, 0.3, 1, {.bending = bending});
+    for (int i = 0; i < n; ++i) system.state.position[i] += Vec2{0.05 * std::sin(3.0 * i), 0.05 * std::cos(5.0 * i)};
+    HessianBlocks<2> exact, sparse;
+    PolygonShape().add_hessian(system, exact);
+    PolygonShape().add_sparse_hessian(system, sparse);
+    EXPECT_EQ(sparse.size(), bending > 0 ? 3 * n : n * (n + 1) / 2);
+    const std::vector<double> a = dense(exact, n), b = dense(sparse, n);
+    std::vector<double> slope;
+    for (int i = 0; i < n; ++i) {
+      const Vec2 across = system.state.position[(i + 1) % n] - system.state.position[(i + n - 1) % n];
+      slope.insert(slope.end(), {0.5 * across[1], -0.5 * across[0]});
+    }
+    const double k = bending > 0 ? system.shape.stiffness[0].volume : 0;
+    for (int i = 0; i < 2 * n; ++i)
+      for (int j = 0; j < 2 * n; ++j) EXPECT_NEAR(a[2 * n * i + j] - b[2 * n * i + j], k * slope[i] * slope[j], 1e-12);
+  }
+}
+
 TEST(PolygonShape, GivesTheSameBitsForOneAndTwoThreads) {
   const System<2> system = testing::random_polygons({.bodies = 1600});
   const Evaluation<2> one = evaluate(fast_terms(), system);

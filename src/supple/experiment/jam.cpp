@@ -71,13 +71,45 @@ class Search {
     const double factor = std::exp(-0.5 * (density - from_density));
     scale_cell(packing_.system, {factor, factor});
     packing_.field->invalidate();
-    progress_.last = relax(packing_);
-    progress_.state = observe(packing_);
+    const bool exact = spec_.search == JamSearch::chapter || !(spec_.coarse > 0);
+    const bool below = exact ? minimise_exactly() : minimise_coarsely();
     ++progress_.minimisations;
-    progress_.evaluations += progress_.last.evaluations;
-    progress_.unconverged += !progress_.last.converged;
     if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
-    return {packing_.system, density, progress_.state.pressure};
+    return {packing_.system, density, below ? 0 : progress_.state.pressure};
+  }
+
+  bool minimise_exactly() {
+    count(relax(packing_));
+    progress_.unconverged += !progress_.last.converged;
+    return false;
+  }
+
+  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so little energy is left that the
+  /// pressure is below, whatever the rest of the way would do.
+  bool minimise_coarsely() {
+    const ForceTolerance exact = packing_.tolerance;
+    packing_.tolerance.relative = std::max(exact.relative, spec_.coarse);
+    packing_.tolerance.least = std::max(exact.least, spec_.coarse * force_at(spec_.pressure));
+    bool below = false;
+    const auto watch = [&](const MinimiseReport& r) { return !(below = r.energy > 0 && r.energy < least_energy(packing_, 0.5 * spec_.pressure)); };
+    count(relax(packing_, watch));
+    packing_.tolerance = exact;
+    const double p = progress_.state.pressure;
+    if (below || p < 0.5 * spec_.pressure || p > 2 * spec_.pressure * (1 + spec_.window)) return below;
+    return minimise_exactly();
+  }
+
+  void count(const MinimiseReport& report) {
+    progress_.last = report;
+    progress_.state = observe(packing_);
+    progress_.evaluations += report.evaluations;
+  }
+
+  /// A contact force at this pressure, roughly.
+  double force_at(double pressure) const {
+    double diameter = 0;
+    for (const double r : packing_.system.state.radius) diameter += 2 * r / packing_.system.state.size();
+    return pressure * packing_.pressure_unit * diameter;
   }
 
   JamProgress accept(const Point& p) {

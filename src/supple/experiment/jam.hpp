@@ -7,13 +7,15 @@
 namespace supple {
 
 /// Chapter: shrink by steps; above the pressure go back to the state before and halve the step [MacKeith 2025, section 9.4]. Root: the same
-/// steps until the pressure is exceeded, then a root search between the last state below it and the first above.
+/// steps until the pressure is exceeded, then a root search between the last state below it and the first above; only states within a
+/// factor of two of the window are minimised to the last digit, as of the others no more is asked than on which side they are.
 enum class JamSearch { chapter, root };
 
 struct JamSpec {
   JamSearch search = JamSearch::root;
   double pressure = 1e-7, window = 0.01;  ///< done when 1 < P/pressure < 1 + window [pressure unit]
   double step = 1e-3;                     ///< largest relative step of the packing fraction
+  double coarse = 1e-3;                   ///< force tolerance of states far from the pressure [mean contact force]; root only
 };
 
 /// The search that the case asks for.

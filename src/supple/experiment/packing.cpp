@@ -145,6 +145,22 @@ MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
   return minimise(objective, x, packing.minimise, callback);
 }
 
+double least_energy(Packing& packing, double pressure) {
+  System<2>& system = packing.system;
+  double sum = 0;
+  for (const ContactRecord<2>& r : packing.field->bodies()->records(system))
+    sum += std::abs(r.multiplicity) * packing.field->bodies()->law().spring(r.reach) * r.reach * r.reach;
+  for (std::size_t b = 0; !packing.contact_pressure && b < system.shape.stiffness.size(); ++b) {
+    const ShapeStiffness& k = system.shape.stiffness[b];
+    if (k.tension != 0) return 0;
+    sum += 4 * k.volume * system.shape.rest_volume[b] * system.shape.rest_volume[b];
+    for (int f = system.topology.facet_begin[b]; f < system.topology.facet_begin[b + 1]; ++f)
+      sum += k.facet * system.shape.rest_facet[f] * system.shape.rest_facet[f];
+  }
+  const double virial = 2 * pressure * packing.pressure_unit * system.box.volume();
+  return sum > 0 ? virial * virial / (2 * sum) : 0;
+}
+
 PackingState observe(Packing& packing) {
   Evaluation<2> all, contacts;
   packing.field->evaluate(packing.system, Detail::energies, all);

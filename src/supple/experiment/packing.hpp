@@ -43,6 +43,10 @@ struct PackingState {
 /// Minimises the energy in the present cell. Not to converge is no error: the report says so.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
 
+/// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V = sum f r <= sqrt(2 U K),
+/// K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without energy.
+double least_energy(Packing& packing, double pressure);
+
 /// Observables at the present state.
 PackingState observe(Packing& packing);
 

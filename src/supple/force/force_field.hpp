@@ -42,7 +42,7 @@ class ForceField {
   }
 
   /// Second derivatives of the energy. Not for contacts with memory, whose force has no energy.
-  void add_hessian(System<2>& system, HessianBlocks<2>& blocks);
+  void add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind = HessianKind::exact);
 
   /// Accepts the step: contacts remember what this evaluation found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {

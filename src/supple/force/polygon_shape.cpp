@@ -218,4 +218,9 @@ void PolygonShape::add_hessian(const System<2>& system, HessianBlocks<2>& blocks
   for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) add_ring_hessian(system, static_cast<int>(b), blocks);
 }
 
+void PolygonShape::add_sparse_hessian(const System<2>& system, HessianBlocks<2>& blocks) const {
+  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b)
+    add_ring_hessian(system, static_cast<int>(b), blocks, HessianKind::sparse);
+}
+
 }  // namespace supple

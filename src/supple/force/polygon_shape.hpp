@@ -12,6 +12,7 @@ class PolygonShape final : public TermBlock<2> {
   double energy(const System<2>& system) const override;
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const override;
   void add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const override;
+  void add_sparse_hessian(const System<2>& system, HessianBlocks<2>& blocks) const override;
 };
 
 }  // namespace supple

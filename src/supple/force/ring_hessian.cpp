@@ -1,5 +1,6 @@
 #include "supple/force/ring_hessian.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "supple/geometry/facet.hpp"
@@ -9,14 +10,28 @@ namespace supple {
 
 namespace {
 
-/// The lower blocks of a ring of n vertices, in rows.
+/// The lower blocks of a ring of n vertices: all in rows, or of each vertex those of itself and of the two before it round the ring.
 class RingBlocks {
  public:
-  RingBlocks(int first, int n, HessianBlocks<2>& blocks) : n_(n), begin_(blocks.size()), blocks_(blocks) {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j <= i; ++j) blocks.push_back({first + i, first + j, {}});
+  static constexpr int near = 2, least_sparse = 2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
+
+  RingBlocks(int first, int n, HessianKind kind, HessianBlocks<2>& blocks)
+      : n_(n), sparse_(kind == HessianKind::sparse), begin_(blocks.size()), blocks_(blocks) {
+    for (int i = 0; i < n; ++i) {
+      if (!sparse_)
+        for (int j = 0; j <= i; ++j) blocks.push_back({first + i, first + j, {}});
+      else
+        for (int back = 0; back <= near; ++back) {
+          const int j = i >= back ? i - back : i - back + n;
+          blocks.push_back({first + std::max(i, j), first + std::min(i, j), {}});
+        }
+    }
   }
-  Mat2& at(int i, int j) { return blocks_[begin_ + static_cast<std::size_t>(i * (i + 1) / 2 + j)].h; }
+  Mat2& at(int i, int j) {
+    if (!sparse_) return blocks_[begin_ + static_cast<std::size_t>(i * (i + 1) / 2 + j)].h;
+    const int back = i - j, place = back <= near ? (near + 1) * i + back : (near + 1) * j + n_ - back;
+    return blocks_[begin_ + static_cast<std::size_t>(place)].h;
+  }
 
   /// Adds d2U/(dx_i dx_j) = m where the block is a lower one.
   void add(int i, int j, double sign, const Mat2& m) {
@@ -36,6 +51,7 @@ class RingBlocks {
 
  private:
   int n_;
+  bool sparse_;
   std::size_t begin_;
   HessianBlocks<2>& blocks_;
 };
@@ -77,7 +93,7 @@ void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const
 }
 
 /// k_a (da/dx)(da/dx)^T + k_a (a - a0) d2a/dx2.
-void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, RingBlocks& ring) {
+void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, HessianKind kind, RingBlocks& ring) {
   const int n = static_cast<int>(edges.size());
   std::vector<Vec2> slope(edges.size());
   double area = 0;
@@ -88,7 +104,7 @@ void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edge
     area += 0.5 * cross(from_first, edges[i].e);
     from_first += edges[i].e;
   }
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < n && kind == HessianKind::exact; ++i)
     for (int j = 0; j <= i; ++j) ring.at(i, j).add_outer(k, slope[i], slope[j]);
   const double half = 0.5 * k * (area - rest);
   const Mat2 next{{{0, -half}, {half, 0}}};  // by x_(i+1) and x_i
@@ -99,9 +115,17 @@ void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edge
   }
 }
 
+/// Whether a ring keeps its shape without its area: corners resist, and edges resist a swelling more than the area does. Second derivatives
+/// by the logarithm of the size: 4 k_a a0^2 of the area, k_l sum l0^2 of the edges.
+bool stiff_without_area(const ShapeStiffness& k, double rest_area, const double* rest_length, int n) {
+  double edges = 0;
+  for (int i = 0; i < n; ++i) edges += k.facet * rest_length[i] * rest_length[i];
+  return k.hinge > 0 && 4 * k.volume * rest_area * rest_area <= edges;
+}
+
 }  // namespace
 
-void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks) {
+void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, HessianKind kind) {
   const Topology<2>& t = system.topology;
   const int first = t.begin[b], n = t.begin[b + 1] - first, facet = t.facet_begin[b];
   if (t.facet_begin[b + 1] - facet != n) return;  // a disc
@@ -119,9 +143,12 @@ void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks) 
       const Vec2 corner[3] = {x[i > 0 ? i - 1 : n - 1], x[i], x[i + 1 < n ? i + 1 : 0]};
       edges[i].moment = k.hinge * (hinge_angle(corner) - system.shape.rest_hinge[t.hinge_begin[b] + i]);
     }
-  RingBlocks ring(first, n, blocks);
-  add_edge_energies(k, &system.shape.rest_facet[facet], edges, ring);
-  if (k.volume != 0) add_area_energy(k.volume, system.shape.rest_volume[b], edges, ring);
+  const double* rest_length = &system.shape.rest_facet[facet];
+  const double rest_area = system.shape.rest_volume[b];
+  if (n < RingBlocks::least_sparse || !stiff_without_area(k, rest_area, rest_length, n)) kind = HessianKind::exact;
+  RingBlocks ring(first, n, kind, blocks);
+  add_edge_energies(k, rest_length, edges, ring);
+  if (k.volume != 0) add_area_energy(k.volume, rest_area, edges, kind, ring);
 }
 
 }  // namespace supple

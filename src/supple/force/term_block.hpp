@@ -27,6 +27,8 @@ class TermBlock {
   virtual void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const = 0;
   /// Adds second derivatives.
   virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const = 0;
+  /// The same without what HessianKind::sparse may leave out.
+  virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const { add_hessian(system, blocks); }
 };
 
 template <class Term, int Dim>

@@ -33,8 +33,11 @@ class TermSet {
     for (const auto& block : blocks_) block->evaluate(system, detail, out);
   }
 
-  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
-    for (const auto& block : blocks_) block->add_hessian(system, blocks);
+  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks, HessianKind kind = HessianKind::exact) const {
+    for (const auto& block : blocks_) {
+      if (kind == HessianKind::sparse) block->add_sparse_hessian(system, blocks);
+      else block->add_hessian(system, blocks);
+    }
   }
 
   /// Name and energy of each term, in the order they were added.

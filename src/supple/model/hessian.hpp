@@ -15,6 +15,10 @@ struct HessianBlock {
   Mat<Dim> h;
 };
 
+/// What is asked for: all of it, or what a preconditioner needs. Without the parts that couple all
+/// sites of a body, where they change no stiffness by much, it is factorised several times faster.
+enum class HessianKind { exact, sparse };
+
 template <int Dim>
 using HessianBlocks = std::vector<HessianBlock<Dim>>;
 

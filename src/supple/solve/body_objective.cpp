@@ -16,7 +16,7 @@ double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
 namespace {
 
 /// Sums entries into a matrix: by columns with a counting sort, then each column by rows.
-void assemble(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& lower) {
+void sum_entries(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& lower) {
   std::vector<std::int32_t> begin(static_cast<std::size_t>(n) + 1);
   for (const MatrixEntry& e : entries) ++begin[e.col() + 1];
   for (int c = 0; c < n; ++c) begin[c + 1] += begin[c];
@@ -109,14 +109,14 @@ void BodyObjective::refresh_tolerance(std::span<const double> x) {
   tolerance_now_ = std::max({tolerance_.least, rounding, tolerance_.relative * mean});
 }
 
-void BodyObjective::hessian(std::span<const double> x, SparseMatrix& lower) {
+void BodyObjective::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
   degrees_.write(x, system_);
   blocks_.clear();
-  field_.add_hessian(system_, blocks_);
+  field_.add_hessian(system_, blocks_, kind);
   // The angle of a rigid body turns its sites on circles, so that their forces enter.
   if (!system_.rigid.body.empty()) field_.evaluate(system_, Detail::forces, out_);
   degrees_.hessian(system_, blocks_, out_.force, entries_);
-  assemble(size(), entries_, lower);
+  sum_entries(size(), entries_, lower);
 }
 
 }  // namespace supple

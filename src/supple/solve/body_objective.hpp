@@ -22,7 +22,8 @@ class BodyObjective final : public Objective {
 
   int size() const override { return degrees_.size(); }
   double evaluate(std::span<const double> x, std::span<double> gradient) override;
-  void hessian(std::span<const double> x, SparseMatrix& lower) override;
+  void hessian(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::exact, lower); }
+  void preconditioner(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::sparse, lower); }
   /// Largest net force on a site, or on a rigid body along one of its numbers.
   double residual(std::span<const double> x, std::span<const double> slope) override;
   /// visit(k) for each pair of numbers k, k + 1 that is a position: of a site, or of a rigid body's centre.
@@ -38,6 +39,7 @@ class BodyObjective final : public Objective {
   double largest_move() const override { return largest_move_; }
 
  private:
+  void assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower);
   void refresh_tolerance(std::span<const double> x);
 
   System<2>& system_;

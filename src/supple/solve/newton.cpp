@@ -57,7 +57,9 @@ double Newton::shift_for(const Descent& descent) const {
 }
 
 void Newton::refresh(Descent& descent) {
-  descent.objective.hessian(descent.x, hessian_);
+  // Newton itself needs the Hessian; memory makes up for what a cheaper matrix leaves out.
+  if (spec_.memory == 0) descent.objective.hessian(descent.x, hessian_);
+  else descent.objective.preconditioner(descent.x, hessian_);
   factorisation_.set(hessian_);
   double shift = shift_for(descent);
   needed_shift_ = 0;
