@@ -19,7 +19,7 @@ std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   std::vector<Derived> all = derived_packing(packing);
-  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing)});
+  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing, initial)});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
   return all;
 }
@@ -27,11 +27,12 @@ std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* ini
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   System<2>& s = packing.system;
-  if (c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
-  const double dt = body_time_step(c, packing);
+  if (!initial && c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
+  const double dt = body_time_step(c, packing, initial);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
   begin_packing(packing, derive_body_dynamics(c, initial), recorder);
+  recorder.value(protocol_group, {"dt", "", "time step; a continuation takes it over"}, dt);
   recorder.declare("motion", motion_columns());
   const std::int64_t steps = c.time.steps, per_row = interval(steps, rows), per_frame = interval(steps, c.output.frames);
   for (std::int64_t i = 0; i < steps; ++i) {

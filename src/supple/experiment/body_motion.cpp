@@ -4,10 +4,13 @@
 #include <numbers>
 
 #include "supple/core/random.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
-double body_time_step(const Case& c, Packing& packing) {
+double body_time_step(const Case& c, Packing& packing, const InitialState* initial) {
+  if (initial && !c.is_given("time.step") && !c.is_given("time.step_factor"))
+    if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) return dt->second;
   return c.time.time_step > 0 ? c.time.time_step : c.time.step_factor * default_step(packing.system, *packing.field);
 }
 
@@ -15,6 +18,33 @@ std::optional<PlasticLaw> plastic_law(const Case& c) {
   if (c.bodies.flow_time <= 0) return std::nullopt;
   return PlasticLaw{c.bodies.flow_time, c.bodies.yield_strain, c.bodies.yield_strain, c.bodies.yield_strain};
 }
+
+namespace {
+
+/// Rigid bodies move as wholes: each of their three motions has as much energy as one of a site.
+void draw_rigid_velocities(System<2>& system, double kinetic_energy, std::int64_t seed) {
+  RigidBodies& r = system.rigid;
+  if (r.body.empty()) return;
+  for (std::size_t k = 0; k < r.body.size(); ++k) {
+    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_velocity, (std::uint64_t{1} << 32) + k);
+    const auto gaussian = [&] {
+      const double size = std::sqrt(-2 * std::log(1 - draw.uniform()));
+      return size * std::cos(2 * std::numbers::pi * draw.uniform());
+    };
+    const double speed = std::sqrt(kinetic_energy / r.mass[k]);
+    r.velocity[k] = {speed * gaussian(), speed * gaussian()};
+    r.spin[k] = std::sqrt(kinetic_energy / r.inertia[k]) * gaussian();
+  }
+  place_sites(system);
+  const Vec2 total = momentum(system);
+  double mass = 0;
+  for (const double m : system.state.mass) mass += m;
+  for (Vec2& v : r.velocity) v -= (1 / mass) * total;
+  for (Vec2& v : system.state.velocity) v -= (1 / mass) * total;
+  place_sites(system);
+}
+
+}  // namespace
 
 void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed) {
   State<2>& s = system.state;
@@ -30,6 +60,7 @@ void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed
     mass += s.mass[i];
   }
   for (Vec2& v : s.velocity) v -= (1 / mass) * total;
+  draw_rigid_velocities(system, kinetic_energy, seed);
 }
 
 std::vector<Column> motion_columns() {
@@ -37,7 +68,7 @@ std::vector<Column> motion_columns() {
           {"kinetic_energy", "", "kinetic energy"},
           {"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
           {"total_energy", "", "their sum"},
-          {"pressure", "k_a a0", "full pressure (9.26), with its kinetic part"},
+          {"pressure", "pressure_unit", "full pressure (9.26), with its kinetic part"},
           {"height", "", "mean height of the vertices"}};
 }
 

@@ -7,8 +7,8 @@
 
 namespace supple {
 
-/// Step of the case, or the default one times its step_factor.
-double body_time_step(const Case& c, Packing& packing);
+/// Step of the case, or that of the run to go on from, so that the bits are the same; else the default one times step_factor.
+double body_time_step(const Case& c, Packing& packing, const InitialState* initial);
 
 /// How preferred shapes flow, where the case says that they do.
 std::optional<PlasticLaw> plastic_law(const Case& c);

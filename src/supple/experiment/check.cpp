@@ -115,6 +115,15 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   if (soft && b.family == "floppy" && b.k_b > 0) doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
   if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 0.5)
     doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices", b.diameter_ratio));
+  const std::string& name = c.general.experiment;
+  idle("contact.k_p", name == "slump" || name == "uniaxial_compression", "walls: slump or uniaxial_compression");
+  idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
+  idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(), "dynamics that starts from [bodies] or a packing");
+  if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
+  if (!c.initial.state.empty())
+    for (const std::string& key : c.given)
+      if (key.starts_with("bodies.") && key != "bodies.stiffness" && key != "bodies.flow_time" && key != "bodies.yield_strain")
+        doubts.push_back(key + " has no effect on the particles of initial.state");
   find_idle_sections(c, doubts);
   return doubts;
 }

@@ -26,7 +26,8 @@ std::vector<double> pressure_list(const Case& c) {
 
 /// What is remembered of the packing at the pressure before.
 struct Snapshot {
-  std::vector<ContactNetwork::Pair> pairs;
+  std::vector<ContactNetwork::Pair> pairs;  ///< between particles that are no rattlers
+  std::vector<std::uint8_t> rattlers;
   std::vector<Vec2> centre;
   Box<2> box;
 };
@@ -36,23 +37,33 @@ struct NetworkChange {
   double rearranged() const { return displacement > 0.1 && lost + made > 0; }
 };
 
-/// Contacts lost and made, and the largest motion of a centre relative to the affine strain, in diameters of a disc of area 1.
+Snapshot take_snapshot(const Packing& packing, const PackingReport& report) {
+  Snapshot s{{}, report.rattlers, report.shapes.centre, packing.system.box};
+  for (const ContactNetwork::Pair& p : report.network.pairs)
+    if (!report.rattlers[p.first] && !report.rattlers[p.second]) s.pairs.push_back(p);
+  return s;
+}
+
+/// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine strain, in diameters of a disc of area 1.
 NetworkChange compare(const Snapshot& before, const Snapshot& now) {
   NetworkChange change;
   if (before.centre.empty()) return change;
-  const auto has = [](const Snapshot& s, const ContactNetwork::Pair& p) {
-    return std::any_of(s.pairs.begin(), s.pairs.end(),
-                       [&](const ContactNetwork::Pair& q) { return q.first == p.first && q.second == p.second; });
+  const auto has = [](const Snapshot& s, const ContactNetwork::Pair& p) {  // pairs are ascending
+    const auto less = [](const auto& a, const auto& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); };
+    return std::binary_search(s.pairs.begin(), s.pairs.end(), p, less);
   };
+  const auto counts = [&](std::size_t b) { return !before.rattlers[b] && !now.rattlers[b]; };
   for (const auto& p : before.pairs) change.lost += !has(now, p);
   for (const auto& p : now.pairs) change.made += !has(before, p);
   const double factor = now.box.length[0] / before.box.length[0];
   Vec2 drift{};  // the packing as a whole may slide
+  double bodies = 0;
+  for (std::size_t b = 0; b < now.centre.size(); ++b) bodies += counts(b);
   for (std::size_t b = 0; b < now.centre.size(); ++b)
-    drift += (1.0 / static_cast<double>(now.centre.size())) * (now.centre[b] - factor * before.centre[b]);
+    if (counts(b)) drift += (1 / bodies) * (now.centre[b] - factor * before.centre[b]);
   const double diameter = 2 / std::sqrt(std::numbers::pi);
   for (std::size_t b = 0; b < now.centre.size(); ++b)
-    change.displacement = std::max(change.displacement, norm(now.centre[b] - factor * before.centre[b] - drift) / diameter);
+    if (counts(b)) change.displacement = std::max(change.displacement, norm(now.centre[b] - factor * before.centre[b] - drift) / diameter);
   return change;
 }
 
@@ -68,8 +79,8 @@ std::vector<Derived> derive_compression(const Case& c, const InitialState* initi
 }
 
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
-  const std::vector<double> list = pressure_list(c);
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  std::vector<double> list = pressure_list(c);
+  Packing packing = make_periodic_packing(c, initial);
   begin_packing(packing, derive_compression(c, initial), recorder);
   std::vector<Column> columns = packing_columns();
   columns.push_back({"branch", "", "1: compression, -1: decompression"});
@@ -84,23 +95,33 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   const auto total = static_cast<std::int64_t>(list.size() * (c.compression.decompress ? 2 : 1));
   std::int64_t done = 0;
   const auto watch = [&](const JamProgress& p) {
-    last = p;
     recorder.progress(fmt::format("P = {:.1e}, phi = {:.4f}", spec.pressure, p.state.packing_fraction), done, total);
     return !recorder.stop_requested();
   };
   const auto go_to = [&](double pressure, Branch branch) {
     spec.pressure = pressure;
+    const JamProgress before_this = last;
     last = jam(packing, spec, watch);
+    last.evaluations += before_this.evaluations;
+    last.minimisations += before_this.minimisations;
+    last.unconverged += before_this.unconverged;
     const PackingReport report = report_packing(packing);
     std::vector<double> row = packing_row(packing, report, last);
-    const NetworkChange change = compare(before, {report.network.pairs, report.shapes.centre, packing.system.box});
+    Snapshot now = take_snapshot(packing, report);
+    const NetworkChange change = compare(before, now);
     for (const double x : {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()}) row.push_back(x);
     recorder.append("packing", row);
     recorder.frame(packing_frame(packing, report));
-    before = {report.network.pairs, report.shapes.centre, packing.system.box};
+    before = std::move(now);
     ++done;
   };
   try {
+    // A packing that is already compressed goes on from its pressure: taking it back first would change it.
+    if (initial) {
+      relax(packing);
+      const double present = observe(packing).pressure;
+      std::erase_if(list, [&](double pressure) { return pressure < present; });
+    }
     for (const double pressure : list) go_to(pressure, Branch::compression);
     if (c.compression.decompress)
       for (auto p = list.rbegin() + 1; p != list.rend(); ++p) go_to(*p, Branch::decompression);

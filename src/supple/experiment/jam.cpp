@@ -61,8 +61,20 @@ class Search {
   }
   static constexpr double longest_stride = 0.02;
 
-  bool jammed(const Point& p) const {
-    return p.pressure > spec_.pressure && p.pressure < spec_.pressure * (1 + spec_.window);
+  bool in_window(double pressure) const { return pressure > spec_.pressure && pressure < spec_.pressure * (1 + spec_.window); }
+  bool jammed(const Point& p) const { return in_window(p.pressure); }
+
+  /// A cell so small that a body meets itself, or one neighbour through two images, is not what was asked for.
+  void check_cell() const {
+    const System<2>& s = packing_.system;
+    double least = 0, radius = 0;
+    for (const double r : s.state.radius) radius = std::max(radius, r);
+    for (int b = 0; b < s.topology.body_count(s.state.size()); ++b)
+      least = std::max(least, s.topology.body_size(b) == 1 ? 4 * s.state.radius[s.topology.body_begin(b)]
+                                                           : 2 * outer_radius(s, b) + 2 * radius);
+    if (s.box.length[0] < least)
+      throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}", s.topology.body_count(s.state.size()), s.box.length[0]),
+                        fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least), "raise bodies.N");
   }
 
   /// The state at `density`, reached from `from` at its density.
@@ -70,9 +82,12 @@ class Search {
     packing_.system = from;
     const double factor = std::exp(-0.5 * (density - from_density));
     scale_cell(packing_.system, {factor, factor});
+    check_cell();
     packing_.field->invalidate();
     const bool exact = spec_.search == JamSearch::chapter || !(spec_.coarse > 0);
-    const bool below = exact ? minimise_exactly() : minimise_coarsely();
+    bool below = exact ? minimise_exactly() : minimise_coarsely();
+    // A state is not taken before it is in equilibrium; a second run starts where the first gave up.
+    if (!progress_.last.converged && in_window(progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
     if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
     return {packing_.system, density, below ? 0 : progress_.state.pressure};
@@ -183,7 +198,8 @@ class Search {
                           fmt::format("between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
                                       "there, or its minimisations stop too early",
                                       low.pressure, high.pressure, high.density - low.density),
-                          "lower minimise.force_tolerance, widen jamming.window, or take another seed");
+                          progress_.unconverged > 0 ? "raise minimise.max_evaluations, or take another seed"
+                                                    : "widen jamming.window, or take another seed");
   }
 
   Packing& packing_;

@@ -21,7 +21,7 @@ struct JamSpec {
 /// The search that the case asks for.
 JamSpec jam_spec(const Case& c);
 
-/// After each minimisation: the state, the work so far, and whether it was accepted. Returns false to stop.
+/// After each minimisation: the state, and the work so far. The callback returns false to stop.
 struct JamProgress {
   PackingState state;
   MinimiseReport last;
@@ -30,7 +30,8 @@ struct JamProgress {
 using JamCallback = std::function<bool(const JamProgress&)>;
 
 /// Takes the packing to the wanted pressure by isotropic compression. Throws a numerics error where no state in the window exists within
-/// rounding, and `interrupted` when the callback says so; the packing then is the last state below the pressure.
+/// rounding, with the packing at the last state below, and `interrupted` when the callback says so, with the packing just minimised. An input error
+/// where the cell gets too small for its particles.
 JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback = {});
 
 }  // namespace supple

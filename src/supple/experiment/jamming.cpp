@@ -15,22 +15,22 @@ JamSpec jam_spec(const Case& c) {
 }
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
-  const Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  const Packing packing = make_periodic_packing(c, initial);
   return derived_packing(packing);
 }
 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  Packing packing = make_periodic_packing(c, initial);
   begin_packing(packing, derived_packing(packing), recorder);
   recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
-                               {"pressure", "k_a a0", "full virial pressure (9.26)"},
-                               {"contact_pressure", "k_a a0", "pressure by contacts alone"},
+                               {"pressure", "pressure_unit", "full virial pressure (9.26)"},
+                               {"contact_pressure", "pressure_unit", "pressure by contacts alone"},
                                {"energy", "", "potential energy"},
                                {"residual", "", "largest net force on a vertex"},
                                {"evaluations", "", "force evaluations so far"}});
   const double start = std::log(c.jamming.packing_fraction);
   const auto watch = [&](const JamProgress& p) {
-    const double row[] = {p.state.packing_fraction, p.state.full_pressure,  p.state.contact_pressure,
+    const double row[] = {covered_fraction(packing), p.state.full_pressure,  p.state.contact_pressure,
                           p.state.energy,           p.last.residual, static_cast<double>(p.evaluations)};
     recorder.append("packing", row);
     // The way from the start to about 0.84 in packing fraction, which nobody knows exactly before.

@@ -23,7 +23,8 @@ using std::numbers::pi;
 bool has_polygons(const Bodies& b) { return b.family != "disc"; }
 
 ShapeSpec shape_spec(const Bodies& b) {
-  return {b.k_a, b.k_l, b.k_b, b.gamma, b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute, b.shape_parameter};
+  return {b.k_a, b.k_l, b.k_b, b.gamma, b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
+          b.family == "rough_disc" ? 0 : b.shape_parameter};
 }
 
 Harmonic contact_law(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
@@ -47,7 +48,11 @@ void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system
   const int n = sizes.is_large(body) && b.vertex_rule == "scaled" ? static_cast<int>(std::lround(b.size_ratio * b.vertices)) : b.vertices;
   RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle, static_cast<std::uint64_t>(body));
   add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape_spec(b));
-  if (b.family == "rough_disc") make_rigid(system, body);
+  if (b.family == "rough_disc") return make_rigid(system, body);
+  if (b.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
+  // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push lets it buckle.
+  for (int i = system.topology.begin[body]; i < system.topology.begin[body + 1]; ++i)
+    system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
 /// Random positions in a square of side `length`, moved apart as soft discs of these radii until none overlap, or as far as can be.
@@ -119,6 +124,11 @@ WallLaw wall_law(const Case& c) {
 }
 
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
+  if (initial && initial->system.topology.begin.empty())
+    throw input_error("the state to start from holds no bodies", "its discs are of the microgel model",
+                      "start from a run of deformable particles, or from [bodies]");
+  if (initial && initial->system.box.strain_rate != 0)
+    throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
   Packing p;
   p.system = initial ? initial->system : random_packing(c, packing_fraction_wanted);
   p.field = make_body_field(c);
@@ -137,6 +147,13 @@ Packing make_packing(const Case& c, const InitialState* initial, double packing_
                           ? c.minimise.least_force
                           : c.minimise.force_tolerance * c.jamming.pressure * p.pressure_unit * 2 * mean_radius(p.system);
   return p;
+}
+
+Packing make_periodic_packing(const Case& c, const InitialState* initial) {
+  if (initial && !(initial->system.box.periodic[0] && initial->system.box.periodic[1]))
+    throw input_error("the state to start from lies between walls", fmt::format("{} shrinks a periodic cell", c.general.experiment),
+                      "start from a periodic packing");
+  return make_packing(c, initial, c.jamming.packing_fraction);
 }
 
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
@@ -159,6 +176,10 @@ double least_energy(Packing& packing, double pressure) {
   }
   const double virial = 2 * pressure * packing.pressure_unit * system.box.volume();
   return sum > 0 ? virial * virial / (2 * sum) : 0;
+}
+
+double covered_fraction(const Packing& packing) {
+  return packing.outline == Outline::rough ? rough_sum(packing.system).total : packing_fraction(packing.system, packing.outline).total;
 }
 
 PackingState observe(Packing& packing) {

@@ -26,6 +26,9 @@ struct Packing {
 /// packing that the case starts from. Input errors where the case asks for what cannot be.
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction);
 
+/// The same for experiments that change the size of the cell. Input error where the state to start from is not periodic.
+Packing make_periodic_packing(const Case& c, const InitialState* initial);
+
 /// The force field that the case describes.
 std::shared_ptr<ForceField> make_body_field(const Case& c);
 
@@ -46,6 +49,9 @@ MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
 /// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V = sum f r <= sqrt(2 U K),
 /// K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without energy.
 double least_energy(Packing& packing, double pressure);
+
+/// The packing fraction as it is now; for rough particles by the published sum, which is much faster and as good below deep overlap.
+double covered_fraction(const Packing& packing);
 
 /// Observables at the present state.
 PackingState observe(Packing& packing);

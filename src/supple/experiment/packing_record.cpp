@@ -64,16 +64,16 @@ PackingReport report_packing(Packing& packing) {
 
 std::vector<Column> packing_columns() {
   return {{"packing_fraction", "", "covered area over area of the cell"},
-          {"pressure", "k_a a0", "full virial pressure (9.26)"},
-          {"contact_pressure", "k_a a0", "pressure by contacts alone"},
-          {"stress_xx", "k_a a0", "full stress, compression positive"},
-          {"stress_yy", "k_a a0", "full stress, compression positive"},
-          {"stress_xy", "k_a a0", "full stress, compression positive"},
+          {"pressure", "pressure_unit", "full virial pressure (9.26)"},
+          {"contact_pressure", "pressure_unit", "pressure by contacts alone"},
+          {"stress_xx", "pressure_unit", "full stress, compression positive"},
+          {"stress_yy", "pressure_unit", "full stress, compression positive"},
+          {"stress_xy", "pressure_unit", "full stress, compression positive"},
           {"energy", "", "potential energy"},
           {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-          {"rattlers", "", "particles with fewer than 3 contacting neighbours, removed until none is left"},
-          {"residual", "", "largest net force on a vertex"},
-          {"tolerance", "", "residual that was asked for"},
+          {"rattlers", "", "particles that their contacts cannot hold, removed until none is left"},
+          {"residual", "", "largest net force on a vertex, or on a rigid particle"},
+          {"tolerance", "", "residual at which its minimisation was done"},
           {"evaluations", "", "force evaluations so far"}};
 }
 

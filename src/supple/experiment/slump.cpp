@@ -112,7 +112,7 @@ std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
   Packing packing = hanging_packing(c, initial);
   packing.field->set_walls(open_box(c, true));
   std::vector<Derived> all = derived_packing(packing);
-  const double dt = body_time_step(c, packing);
+  const double dt = body_time_step(c, packing, nullptr);
   all.push_back({{"time_step", "", "time step"}, dt});
   all.push_back({{"steps", "", "steps"}, std::ceil((c.slump.settle_time + c.slump.spread_time) / dt)});
   return all;
@@ -122,7 +122,7 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = hanging_packing(c, initial);
   System<2>& s = packing.system;
   packing.field->set_walls(open_box(c, true));
-  const double dt = body_time_step(c, packing);
+  const double dt = body_time_step(c, packing, nullptr);
   begin_packing(packing, derive_slump(c, initial), recorder);
   recorder.declare("motion", slump_columns());
   const std::int64_t settle = std::llround(c.slump.settle_time / dt), spread = std::llround(c.slump.spread_time / dt);

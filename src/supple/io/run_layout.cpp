@@ -88,7 +88,7 @@ void append_contacts(h5::Group& group, const std::vector<Frame>& frames, const U
 /// Unit and meaning of the numbers of bodies that experiments write.
 const std::vector<Column>& known_body_numbers() {
   static const std::vector<Column> known{
-      {"pressure", "k_a a0", "pressure of the body, compression positive (9.27)"},
+      {"pressure", "pressure_unit", "pressure of the body, compression positive (9.27)"},
       {"area", "", "area that the body covers"},
       {"shape_parameter", "", "p^2/(4 pi a); 0 for discs"},
       {"contacts", "", "bodies and walls that it touches"},

@@ -163,7 +163,7 @@ double further_contacts(const System<2>& system, const ForceField& forces) {
     const double sigma = 2 * system.state.radius[i];
     double spring = forces.bodies() ? 6 * forces.bodies()->law().spring(sigma) : 0;
     if (const auto& walls = forces.walls())
-      spring += std::max(walls->repulsion.spring(sigma), walls->floor_friction > 0 ? walls->floor_stiffness : 0);
+      spring += walls->repulsion.spring(sigma) * std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);
     largest = std::max(largest, spring / system.state.mass[i]);
   }
   return largest;

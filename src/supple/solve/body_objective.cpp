@@ -104,8 +104,8 @@ void BodyObjective::refresh_tolerance(std::span<const double> x) {
   constexpr int interval = 100;
   until_refresh_ = interval;
   const double mean = field_.bodies() ? mean_contact_force(system_, *field_.bodies()) : 0;
-  // A position is known to half a unit in its last digit; four edges and moments add up at a vertex.
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest(x) * stiffness_;
+  // A position is known to half a unit in its last digit; two edges and three moments add up at a vertex.
+  const double rounding = std::numeric_limits<double>::epsilon() * largest(x) * stiffness_;
   tolerance_now_ = std::max({tolerance_.least, rounding, tolerance_.relative * mean});
 }
 
