@@ -12,9 +12,10 @@ namespace supple::command {
 
 /// "out/a.h5" and "_cell.png": "out/a_cell.png".
 std::string beside(const std::string& run, const std::string& ending);
-std::string plot_path(const std::string& run);
+/// By what the figure of the case shows: _stress.png, _pressure.png, ...
+std::string plot_path(const std::string& run, const Case& c);
 std::string snapshot_path(const std::string& run);
-/// `to`: csv, text, state.
+/// `to`: csv, text, state, xyz, vtp, packing.
 std::string export_path(const std::string& run, const std::string& to);
 
 /// The state that [initial] names, if it names one.

@@ -10,8 +10,10 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/given_packing.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/progress.hpp"
+#include "supple/io/packing_file.hpp"
 #include "supple/io/state_file.hpp"
 
 namespace supple::command {
@@ -41,6 +43,19 @@ std::optional<double> find(const std::vector<Derived>& derived, const std::strin
   for (const Derived& d : derived)
     if (d.name.name == name) return d.value;
   return std::nullopt;
+}
+
+int site_count(const Case& c, const std::optional<InitialState>& initial, const std::vector<Derived>& derived) {
+  if (initial) return initial->system.state.size();
+  return is_deformable(c) ? static_cast<int>(find(derived, "sites").value_or(0)) : c.particles.discs;
+}
+
+std::string describe_matter(const Case& c, const std::optional<InitialState>& initial,
+                            const std::vector<Derived>& derived) {
+  const int sites = site_count(c, initial, derived);
+  if (!is_deformable(c)) return fmt::format("{} discs, {} model", sites, c.general.physics);
+  const int bodies = initial ? initial->system.topology.body_count(sites) : c.bodies.count + c.bodies.discs;
+  return fmt::format("{} particles{}", bodies, initial ? " of a file" : " (" + c.bodies.family + ")");
 }
 
 template <class P>
@@ -79,6 +94,14 @@ std::string section_text(const std::string& section) {
 }  // namespace
 
 std::optional<InitialState> load_initial(const Case& c) {
+  if (!c.initial.packing.empty()) {
+    StoredPacking packing = read_packing_json(c.initial.packing);
+    InitialState initial;
+    initial.units = reduced_units();
+    initial.system = std::move(packing.system);
+    initial.contact = packing.contact;
+    return initial;
+  }
   if (c.initial.state.empty()) return std::nullopt;
   return read_state(c.initial.state);
 }
@@ -128,14 +151,13 @@ void init(const std::string& experiment, const std::string& path, Existing exist
 }
 
 void check(const CaseChoice& choice, Format format) {
-  const Case c = load_case(choice);
+  Case c = load_case(choice);
   const std::optional<InitialState> initial = load_initial(c);
-  const std::vector<Derived> derived = derive_case(c, initial);
   const std::vector<std::string> doubts = find_doubts(c);
-  const auto of_case = find(derived, "vertices");
-  const int discs = initial ? initial->system.state.size() : of_case ? static_cast<int>(*of_case) : c.particles.discs;
+  c = adopt_state(c, initial ? &*initial : nullptr);
+  const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
-  const double estimate = steps.value_or(0) * discs * seconds_per_disc_step / c.general.threads;
+  const double estimate = steps.value_or(0) * site_count(c, initial, derived) * seconds_per_disc_step / c.general.threads;
 
   if (format == Format::json) {
     Json j{{"case", choice.path}, {"experiment", c.general.experiment}, {"physics", c.general.physics}};
@@ -146,12 +168,8 @@ void check(const CaseChoice& choice, Format format) {
     fmt::print("{}\n", j.dump(2));
     return;
   }
-  if (is_deformable(c))
-    fmt::print("{}: sound\n{} of {} sites, deformable particles, seed {}\n\n", choice.path, c.general.experiment, discs,
-               c.general.seed);
-  else
-    fmt::print("{}: sound\n{} of {} discs, {} model, seed {}\n\n", choice.path, c.general.experiment, discs, c.general.physics,
-               c.general.seed);
+  fmt::print("{}: sound\n{} of {}, seed {}\n\n", choice.path, c.general.experiment, describe_matter(c, initial, derived),
+             c.general.seed);
   for (const Derived& d : derived)
     fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
   if (steps)

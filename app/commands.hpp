@@ -38,17 +38,17 @@ void list(const std::string& section, Format format);
 /// Summary of a run.
 void show(const std::string& run_path, Format format);
 
-/// Writes a run as "csv", "text" (the published format) or "state" (the JSON layout); `path` empty: beside
-/// the run.
+/// Writes a run as "csv", "text" (the published format), "state" (its JSON layout), "xyz" or "vtp" (all frames), or
+/// "packing" (polygons as JSON); `path` empty: beside the run.
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing);
 
-/// Draws frame `frame` (negative: counted from the end; none: the most sheared one); `path` empty: beside the
-/// run.
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& path,
+/// Draws frame `frame` (negative: counted from the end; none: the most sheared one, of deformable particles the last);
+/// `color`: the number of each deformable particle that colours it, or empty; `path` empty: beside the run.
+void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color, const std::string& path,
               Existing existing);
 
-/// Draws strain and stress against time and the Lissajous loop.
+/// Draws the figure of a run: strain and stress against time and the Lissajous loop, or what deformable particles do.
 void plot(const std::string& run_path, const std::string& path, Existing existing);
 
 }  // namespace supple::command

@@ -27,7 +27,7 @@ constexpr auto exit_codes =
 /// What the options of one call are read into.
 struct Options {
   command::CaseChoice choice;
-  std::string experiment = "oscillatory_shear", run, output, to = "csv", section;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", color, section;
   std::optional<int> frame;
   bool force = false, json = false;
 
@@ -56,7 +56,7 @@ void add_json(CLI::App& c, Options& o) { c.add_flag("--json", o.json, "Print JSO
 
 void add_case_commands(CLI::App& app, Options& o) {
   CLI::App* init = app.add_subcommand("init", "Write a commented case to start from");
-  init->add_option("experiment", o.experiment, "What to run: oscillatory_shear (default) or dynamics")
+  init->add_option("experiment", o.experiment, "What to run: oscillatory_shear (default), dynamics, jamming, ...; see supple list")
       ->type_name("EXPERIMENT");
   add_output(*init, o, "Case to write; - for the screen (default: EXPERIMENT.toml)");
   init->callback([&] { command::init(o.experiment, o.output, o.existing()); });
@@ -83,7 +83,7 @@ void add_case_commands(CLI::App& app, Options& o) {
 
 void add_run_commands(CLI::App& app, Options& o) {
   CLI::App* show =
-      app.add_subcommand("show", "Print the summary of a run: G', G'', pressure, contacts, time");
+      app.add_subcommand("show", "Print the summary of a run: its results with units");
   add_run(*show, o);
   add_json(*show, o);
   show->callback([&] { command::show(o.run, o.format()); });
@@ -91,22 +91,29 @@ void add_run_commands(CLI::App& app, Options& o) {
   CLI::App* exporting = app.add_subcommand("export", "Write a run in another format");
   add_run(*exporting, o);
   exporting
-      ->add_option("--to", o.to, "csv: tables; text: the published text format; state: final state as JSON")
-      ->check(CLI::IsMember({"csv", "text", "state"}))
+      ->add_option("--to", o.to,
+                   "csv: tables; text: the published text format; state: final state of discs as JSON; packing: of "
+                   "deformable particles; xyz, vtp: all frames for OVITO, ParaView")
+      ->check(CLI::IsMember({"csv", "text", "state", "packing", "xyz", "vtp"}))
       ->capture_default_str();
-  add_output(*exporting, o, "File to write (default: the name of the run with .csv, .txt or .json)");
+  add_output(*exporting, o, "File to write (default: the name of the run with .csv, .txt, _state.json, ...)");
   exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing()); });
 
-  CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: discs, links, contacts by state");
+  CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: particles and their contacts");
   add_run(*snapshot, o);
   snapshot->add_option("--frame", o.frame,
-                       "Which frame, from 0; negative: from the end (default: the most sheared)");
+                       "Which frame, from 0; negative: from the end (default: the most sheared; deformable "
+                       "particles: the last)");
+  snapshot->add_option("--color", o.color,
+                       "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
+                       "id, those that touch differ)")
+      ->type_name("NAME");
   add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_cell.png)");
-  snapshot->callback([&] { command::snapshot(o.run, o.frame, o.output, o.existing()); });
+  snapshot->callback([&] { command::snapshot(o.run, o.frame, o.color, o.output, o.existing()); });
 
-  CLI::App* plot = app.add_subcommand("plot", "Draw strain and stress against time, and the Lissajous loop");
+  CLI::App* plot = app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");
   add_run(*plot, o);
-  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_stress.png)");
+  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_stress.png, RUN_pressure.png, ...)");
   plot->callback([&] { command::plot(o.run, o.output, o.existing()); });
 }
 

@@ -10,6 +10,8 @@
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/given_packing.hpp"
+#include "supple/io/body_pictures.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/file_recorder.hpp"
 #include "supple/io/progress.hpp"
@@ -60,11 +62,16 @@ std::string run_path(const Case& c, const std::string& case_path, const std::str
 
 std::string images_folder(const std::string& run) { return beside(run, "_images"); }
 
+/// Deformable particles that take no steps are looked at, and have no course to draw.
+bool draws_plot(const Case& c) {
+  const bool still = is_deformable(c) && c.general.experiment == "dynamics" && c.time.steps == 0;
+  return c.output.plot && !still;
+}
+
 /// Everything that the run will write must be writable before anything is computed.
 void check_outputs(const Case& c, const std::string& run, Existing existing) {
   check_can_create(run, existing);
-  if (c.output.plot && c.general.experiment == "oscillatory_shear")
-    check_can_create(plot_path(run), existing);
+  if (draws_plot(c)) check_can_create(plot_path(run, c), existing);
   if (c.output.snapshot) check_can_create(snapshot_path(run), existing);
   if (c.output.text) check_can_create(export_path(run, "text"), existing);
   if (c.output.images > 0 && existing == Existing::refuse && fs::exists(images_folder(run)))
@@ -73,22 +80,25 @@ void check_outputs(const Case& c, const std::string& run, Existing existing) {
 }
 
 void write_beside(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
-  if (c.output.plot) plot(run, "", existing);
-  if (c.output.snapshot) snapshot(run, std::nullopt, "", existing);
+  if (draws_plot(c)) plot(run, "", existing);
+  if (c.output.snapshot) snapshot(run, std::nullopt, "", "", existing);
   if (c.output.text) export_run(run, "text", "", existing);
   if (c.output.images == 0) return;
   fs::create_directories(images_folder(run));
-  draw_run_images(
-      images_folder(run), c.output.image_format, RunFile(run), c.output.images, {},
-      [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); });
+  const auto progress = [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); };
+  if (is_deformable(c))
+    draw_body_images(images_folder(run), c.output.image_format, RunFile(run), c.output.images, "", progress);
+  else
+    draw_run_images(images_folder(run), c.output.image_format, RunFile(run), c.output.images, {}, progress);
   recorder.end_progress();
 }
 
 }  // namespace
 
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
-  const Case c = load_case(choice);
+  Case c = load_case(choice);
   const std::optional<InitialState> initial = load_initial(c);
+  c = adopt_state(c, initial ? &*initial : nullptr);
   derive_case(c, initial);  // its input errors come before any file
   const std::string file = run_path(c, choice.path, path);
   check_outputs(c, file, existing);

@@ -54,6 +54,9 @@ TEST(Superscript, StandsForTheUnitOfSmallAndLargeNumbers) {
   EXPECT_EQ(shown("%", 0.3), std::pair(0.01, std::string("%")));
   EXPECT_EQ(shown("Pa", 2e4), std::pair(1e3, std::string("kPa")));
   EXPECT_EQ(shown("1/s", 2e4), std::pair(1.0, std::string("1/s")));
+  EXPECT_EQ(shown("k_a a0", 2), std::pair(1.0, std::string("k_a a0")));
+  EXPECT_DOUBLE_EQ(shown("k_a a0", 3e-7).first, 1e-7);
+  EXPECT_EQ(shown("k_a a0", 3e-7).second, "10\u207b\u2077\u00a0k_a a0");
 }
 
 }  // namespace

@@ -63,12 +63,12 @@ void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed
   draw_rigid_velocities(system, kinetic_energy, seed);
 }
 
-std::vector<Column> motion_columns() {
+std::vector<Column> motion_columns(const Packing& packing) {
   return {{"time", "", "time"},
           {"kinetic_energy", "", "kinetic energy"},
           {"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
           {"total_energy", "", "their sum"},
-          {"pressure", "pressure_unit", "full pressure (9.26), with its kinetic part"},
+          {"pressure", packing.pressure_symbol, "full pressure (9.26), with its kinetic part"},
           {"height", "", "mean height of the vertices"}};
 }
 

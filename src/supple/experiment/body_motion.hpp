@@ -17,7 +17,7 @@ std::optional<PlasticLaw> plastic_law(const Case& c);
 void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed);
 
 /// Columns of a table of a motion: time, energies, momentum, pressure.
-std::vector<Column> motion_columns();
+std::vector<Column> motion_columns(const Packing& packing);
 std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation);
 
 }  // namespace supple

@@ -141,15 +141,15 @@ template <>
 const Fields<Output>& fields() {
   static const Fields<Output> f{
       {"file", &Output::file, "", "the run; empty: name of the case with .h5"},
-      {"tensors", &Output::tensors, "", "keep every tensor at every step"},
+      {"tensors", &Output::tensors, "", "keep every tensor at every step (discs of microgels)"},
       {"frames", &Output::frames, "", "evenly spaced frames of the protocol; dynamics keeps every step unless this is given", at_least_one},
       {"images", &Output::images, "", "evenly spaced images of the protocol", not_negative},
       {"image_format", &Output::image_format, "", "format of the images", any_value, {"png", "jpg", "svg", "pdf", "ps"}},
-      {"plot", &Output::plot, "", "also draw strain and stress against time, beside the run"},
+      {"plot", &Output::plot, "", "also draw the figure of the experiment, beside the run"},
       {"relative_y_scale_force", &Output::relative_y_scale_force, "Young modulus",
-       "where the plot's stress axis ends; 0: what the data need", not_negative},
+       "where the plot's stress axis ends (discs of microgels); 0: what the data need", not_negative},
       {"snapshot", &Output::snapshot, "", "also draw the cell at the end, beside the run"},
-      {"text", &Output::text, "", "also write the published text format"},
+      {"text", &Output::text, "", "also write the published text format (oscillatory_shear)"},
   };
   return f;
 }

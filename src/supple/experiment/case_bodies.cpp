@@ -135,6 +135,7 @@ std::vector<std::string> sections_of(const Case& c) {
 }
 
 void resolve_family(Case& c) {
+  if (is_deformable(c) && !c.is_given("physics")) c.general.physics = "deformable";
   Bodies& b = c.bodies;
   const auto unless_given = [&](const char* key, double& value, double of_family) {
     if (!c.is_given(std::string("bodies.") + key)) value = of_family;

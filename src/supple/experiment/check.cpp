@@ -77,6 +77,12 @@ void check_bodies(const Case& c, Problems& problems) {
         fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least), "raise A0, or 0 for the regular polygon");
   if (!c.initial.state.empty() && !c.initial.packing.empty())
     add(problems, c, "initial.state and initial.packing", "a run starts from one of them", "leave one away");
+  if (c.is_given("physics") && c.general.physics != "deformable")
+    add(problems, c, fmt::format("physics = \"{}\" with experiment = \"{}\"", c.general.physics, c.general.experiment),
+        "it is about deformable particles", "leave physics away");
+  if (c.output.text)
+    add(problems, c, "output.text = true with deformable particles", "the published text format holds discs of microgels",
+        "export the run to csv instead");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
     add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"", "a rough disc is a ring of vertices",
         "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
@@ -84,6 +90,14 @@ void check_bodies(const Case& c, Problems& problems) {
     add(problems, c, fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", c.compression.highest_pressure,
                                  c.jamming.pressure),
         "compression goes from the one to the other", "raise the first or lower the second");
+}
+
+/// Keys of particles that are not made, because the run starts from those of a file.
+void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
+  if (c.initial.state.empty() && c.initial.packing.empty()) return;
+  for (const std::string key : {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction",
+                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "jamming.packing_fraction"})
+    if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 
 /// Keys of sections that the experiment does not read.
@@ -124,6 +138,8 @@ std::vector<std::string> find_body_doubts(const Case& c) {
     for (const std::string& key : c.given)
       if (key.starts_with("bodies.") && key != "bodies.stiffness" && key != "bodies.flow_time" && key != "bodies.yield_strain")
         doubts.push_back(key + " has no effect on the particles of initial.state");
+  for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
+  find_keys_of_others(c, doubts);
   find_idle_sections(c, doubts);
   return doubts;
 }

@@ -7,6 +7,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/observe/onset.hpp"
 
 namespace supple {
 
@@ -70,6 +71,21 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
 /// Which way the list is walked; a column of the table.
 enum class Branch { compression = 1, decompression = -1 };
 
+/// Packing fractions and pressures of a branch.
+struct Course {
+  std::vector<double> packing_fraction, pressure;
+};
+
+/// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13].
+void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest, Recorder& recorder) {
+  const auto fit = fit_onset(course.packing_fraction, course.pressure, highest);
+  if (!fit) return;
+  recorder.value("results", {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades"},
+                 fit->packing_fraction, fit->packing_fraction_error);
+  recorder.value("results", {"slope_" + branch, packing.pressure_symbol, "slope of the pressure against the packing fraction there"}, fit->slope,
+                 fit->slope_error);
+}
+
 }  // namespace
 
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
@@ -82,7 +98,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   std::vector<double> list = pressure_list(c);
   Packing packing = make_periodic_packing(c, initial);
   begin_packing(packing, derive_compression(c, initial), recorder);
-  std::vector<Column> columns = packing_columns();
+  std::vector<Column> columns = packing_columns(packing);
   columns.push_back({"branch", "", "1: compression, -1: decompression"});
   columns.push_back({"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
   columns.push_back({"new_contacts", "", "pairs of particles that touch and did not at the pressure before"});
@@ -92,6 +108,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   JamSpec spec = jam_spec(c);
   JamProgress last;
   Snapshot before;
+  Course up, down;
   const auto total = static_cast<std::int64_t>(list.size() * (c.compression.decompress ? 2 : 1));
   std::int64_t done = 0;
   const auto watch = [&](const JamProgress& p) {
@@ -111,6 +128,9 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     const NetworkChange change = compare(before, now);
     for (const double x : {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()}) row.push_back(x);
     recorder.append("packing", row);
+    Course& course = branch == Branch::compression ? up : down;
+    course.packing_fraction.push_back(report.fraction.total);
+    course.pressure.push_back(row[1]);  // full pressure
     recorder.frame(packing_frame(packing, report));
     before = std::move(now);
     ++done;
@@ -129,6 +149,9 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     hand_over(packing, recorder);
     throw;
   }
+  const double linear = 0.1 * c.compression.highest_pressure * (1 + c.jamming.window);
+  record_onset(up, "compression", packing, linear, recorder);
+  record_onset(down, "decompression", packing, linear, recorder);
   record_packing(packing, last, recorder);
 }
 

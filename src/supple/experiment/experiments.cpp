@@ -1,6 +1,7 @@
 #include "supple/experiment/experiments.hpp"
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/given_packing.hpp"
 
 namespace supple {
 
@@ -31,12 +32,12 @@ const Experiment& named(const std::string& name) {
 
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
   check(c);
-  return named(c.general.experiment).derive(c, initial);
+  return named(c.general.experiment).derive(adopt_state(c, initial), initial);
 }
 
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
   check(c);
-  named(c.general.experiment).run(c, initial, recorder);
+  named(c.general.experiment).run(adopt_state(c, initial), initial, recorder);
 }
 
 }  // namespace supple

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "supple/contact/laws/harmonic.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 #include "supple/model/units.hpp"
@@ -19,6 +20,9 @@ struct MaterialConstants {
   std::optional<bool> keep_viscosity_coefficients_constant;
 };
 inline constexpr auto material_group = "material";
+/// Names in that group of what Harmonic holds.
+inline constexpr auto contact_stiffness = "contact_stiffness";
+inline constexpr auto contact_is_relative = "contact_is_relative";
 /// Group of a run for what else its continuation takes over: dt, cool_factor, applying_shear, reset_force_each_step.
 inline constexpr auto protocol_group = "protocol";
 
@@ -41,6 +45,7 @@ struct InitialState {
   System<2> system;
   std::optional<Evaluation<2>> evaluation;  ///< forces and torques carried over; no pair forces
   MaterialConstants material;
+  std::optional<Harmonic> contact;  ///< law of deformable particles' contacts, where the file has it
   /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre, periods,
   /// post.
   std::map<std::string, double> protocol;

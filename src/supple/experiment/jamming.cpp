@@ -23,8 +23,8 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
   Packing packing = make_periodic_packing(c, initial);
   begin_packing(packing, derived_packing(packing), recorder);
   recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
-                               {"pressure", "pressure_unit", "full virial pressure (9.26)"},
-                               {"contact_pressure", "pressure_unit", "pressure by contacts alone"},
+                               {"pressure", packing.pressure_symbol, "full virial pressure (9.26)"},
+                               {"contact_pressure", packing.pressure_symbol, "pressure by contacts alone"},
                                {"energy", "", "potential energy"},
                                {"residual", "", "largest net force on a vertex"},
                                {"evaluations", "", "force evaluations so far"}});

@@ -10,6 +10,7 @@
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "supple/experiment/given_packing.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
@@ -131,13 +132,18 @@ Packing make_packing(const Case& c, const InitialState* initial, double packing_
     throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
   Packing p;
   p.system = initial ? initial->system : random_packing(c, packing_fraction_wanted);
+  if (initial) give_stiffness(c, p.system);
   p.field = make_body_field(c);
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   const Harmonic law = contact_law(c);
   const auto& stiffness = p.system.shape.stiffness;
   const auto soft = std::find_if(stiffness.begin(), stiffness.end(), [](const ShapeStiffness& k) { return k.volume > 0; });
-  p.pressure_unit = soft != stiffness.end() ? soft->volume * p.system.shape.rest_volume[soft - stiffness.begin()]
-                                            : law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
+  if (soft != stiffness.end()) {
+    p.pressure_unit = soft->volume * p.system.shape.rest_volume[soft - stiffness.begin()];
+  } else {
+    p.pressure_unit = law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
+    p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
+  }
   p.covered_area = packing_fraction(p.system, p.outline).total * p.system.box.volume();
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;

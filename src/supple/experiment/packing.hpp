@@ -1,6 +1,7 @@
 /// A packing of deformable particles: the system, what acts on it, and the ways in which experiments change it.
 #pragma once
 #include <memory>
+#include <string>
 
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/initial_state.hpp"
@@ -16,6 +17,7 @@ struct Packing {
   std::shared_ptr<ForceField> field;
   Outline outline = Outline::rough;
   double pressure_unit = 1;  ///< k_a a0 of a small particle; k_c for discs and rigid particles
+  std::string pressure_symbol = "k_a a0";  ///< the name of that unit
   ForceTolerance tolerance;
   MinimiseSpec minimise;
   bool contact_pressure = false;  ///< P is that of contacts alone

@@ -33,7 +33,10 @@ double mean(const std::vector<double>& values) {
 std::vector<Derived> derived_packing(const Packing& packing) {
   const System<2>& s = packing.system;
   return {{{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
-          {{"vertices", "", "vertices and discs"}, static_cast<double>(s.state.size())},
+          {{"sites", "", "vertices and discs"}, static_cast<double>(s.state.size())},
+          {{"cell_width", "", "width of the cell at the start"}, s.box.length[flow]},
+          {{"cell_height", "", "height of the cell at the start"}, s.box.length[gradient]},
+          {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / s.box.volume()},
           {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit},
           {{"force_tolerance", "mean contact force", "largest net force in equilibrium"}, packing.tolerance.relative},
           {{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least}};
@@ -42,6 +45,9 @@ std::vector<Derived> derived_packing(const Packing& packing) {
 void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
   recorder.begin(make_run_info(packing.system, reduced_units()));
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
+  const Harmonic law = packing.field->bodies()->law();
+  recorder.value(material_group, {contact_stiffness, "", "k_c of contacts"}, law.stiffness);
+  recorder.value(material_group, {contact_is_relative, "", "1: energy (k_c/2)(1 - r/sigma)^2; 0: (k_c/2)(sigma - r)^2"}, law.relative);
 }
 
 PackingReport report_packing(Packing& packing) {
@@ -62,13 +68,14 @@ PackingReport report_packing(Packing& packing) {
   return r;
 }
 
-std::vector<Column> packing_columns() {
+std::vector<Column> packing_columns(const Packing& packing) {
+  const std::string& unit = packing.pressure_symbol;
   return {{"packing_fraction", "", "covered area over area of the cell"},
-          {"pressure", "pressure_unit", "full virial pressure (9.26)"},
-          {"contact_pressure", "pressure_unit", "pressure by contacts alone"},
-          {"stress_xx", "pressure_unit", "full stress, compression positive"},
-          {"stress_yy", "pressure_unit", "full stress, compression positive"},
-          {"stress_xy", "pressure_unit", "full stress, compression positive"},
+          {"pressure", unit, "full virial pressure (9.26)"},
+          {"contact_pressure", unit, "pressure by contacts alone"},
+          {"stress_xx", unit, "full stress, compression positive"},
+          {"stress_yy", unit, "full stress, compression positive"},
+          {"stress_xy", unit, "full stress, compression positive"},
           {"energy", "", "potential energy"},
           {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
           {"rattlers", "", "particles that their contacts cannot hold, removed until none is left"},
@@ -106,16 +113,21 @@ Frame packing_frame(const Packing& packing, const PackingReport& r) {
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder) {
   const PackingReport r = report_packing(packing);
   recorder.frame(packing_frame(packing, r));
-  const std::vector<Column> columns = packing_columns();
+  const std::vector<Column> columns = packing_columns(packing);
   const std::vector<double> row = packing_row(packing, r, progress);
-  for (std::size_t k = 0; k < columns.size(); ++k) recorder.value("results", columns[k], row[k]);
+  const bool minimised = progress.minimisations > 0;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (minimised || (columns[k].name != "tolerance" && columns[k].name != "evaluations"))
+      recorder.value("results", columns[k], row[k]);
   const auto number = [&](const char* name, const char* meaning, double value) { recorder.value("results", {name, "", meaning}, value); };
   number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
   number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs", r.constraints.excess());
   number("mean_shape_parameter", "mean p^2/(4 pi a) of the particles", mean(r.shapes.shape_parameter));
-  number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
-  number("unconverged", "minimisations that stopped before the tolerance", static_cast<double>(progress.unconverged));
+  if (minimised) {
+    number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
+    number("unconverged", "minimisations that stopped before the tolerance", static_cast<double>(progress.unconverged));
+  }
   if (r.inside > 0)
     recorder.warning(fmt::format("{} particles have vertices inside another one: vertices have passed an edge; lower the step", r.inside));
   if (progress.unconverged > 0)

@@ -32,7 +32,7 @@ struct PackingReport {
 PackingReport report_packing(Packing& packing);
 
 /// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts, rattlers, energy, residual, work.
-std::vector<Column> packing_columns();
+std::vector<Column> packing_columns(const Packing& packing);
 std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
 
 /// The instant of the report: positions, forces, contacts, and of each body its pressure, shape, contacts.

@@ -64,8 +64,8 @@ WallLaw open_box(const Case& c, bool right_wall) {
 }
 
 /// Columns and numbers of the heap: how far it reaches, how high it is, and the slope of its surface.
-std::vector<Column> slump_columns() {
-  std::vector<Column> all = motion_columns();
+std::vector<Column> slump_columns(const Packing& packing) {
+  std::vector<Column> all = motion_columns(packing);
   all.push_back({"front", "", "rightmost end of a particle"});
   all.push_back({"top", "", "highest end of a particle"});
   all.push_back({"slope", "", "of the line through the surface, downward to the right"});
@@ -124,7 +124,7 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   packing.field->set_walls(open_box(c, true));
   const double dt = body_time_step(c, packing, nullptr);
   begin_packing(packing, derive_slump(c, initial), recorder);
-  recorder.declare("motion", slump_columns());
+  recorder.declare("motion", slump_columns(packing));
   const std::int64_t settle = std::llround(c.slump.settle_time / dt), spread = std::llround(c.slump.spread_time / dt);
   const std::int64_t total = settle + spread, per_row = std::max<std::int64_t>(1, total / 1000),
              per_frame = std::max<std::int64_t>(1, total / c.output.frames);

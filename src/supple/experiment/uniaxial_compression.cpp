@@ -59,17 +59,15 @@ void lower_wall(System<2>& s, double height) {
 }  // namespace
 
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
-  const Packing p = boxed_packing(c, initial);
-  std::vector<Derived> all = derived_packing(p);
-  all.push_back({{"width", "", "width of the box"}, p.system.box.length[flow]});
-  all.push_back({{"height", "", "height of the box before the compression"}, p.system.box.length[gradient]});
+  std::vector<Derived> all = derived_packing(boxed_packing(c, initial));
+  all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"}, std::ceil(c.uniaxial.strain / c.uniaxial.step)});
   return all;
 }
 
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = boxed_packing(c, initial);
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
-  std::vector<Column> columns = packing_columns();
+  std::vector<Column> columns = packing_columns(packing);
   columns.insert(columns.begin(), {"strain", "", "how far the upper wall has come down, over the first height"});
   columns.push_back({"wall_force", "", "force on the upper wall"});
   columns.push_back({"vertex_contacts", "", "vertices that touch another particle"});

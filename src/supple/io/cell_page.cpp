@@ -14,18 +14,19 @@ constexpr double least_height = 190;    // that the legend needs [pt]
 }  // namespace
 
 CellPage::CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room,
-                   double dots_per_inch)
-    : box_(box), scale_(cell_size / std::max(box.length[0], box.length[1])), rim_(surroundings * cell_size),
+                   double dots_per_inch, const Vec2& room)
+    : box_(box), room_{std::max(box.length[0], room[0]), std::max(box.length[1], room[1])},
+      scale_(cell_size / std::max(room_[0], room_[1])), rim_(surroundings * cell_size),
       lean_(std::max(std::abs(drawn_strain(box)), strain_room) * (box.length[gradient] * scale_ + 2 * rim_)),
       cell_(cell_corners(box)),
-      canvas_(path, 2 * edge + 2 * rim_ + lean_ + box.length[flow] * scale_ + legend_width,
-              std::max(2 * rim_ + box.length[gradient] * scale_, least_height) + title_height + foot_height,
+      canvas_(path, 2 * edge + 2 * rim_ + lean_ + room_[flow] * scale_ + legend_width,
+              std::max(2 * rim_ + room_[gradient] * scale_, least_height) + title_height + foot_height,
               dots_per_inch) {
   for (int k = 0; k < 4; ++k) corner_[k] = on_page(cell_[k]);
 }
 
 Point CellPage::on_page(const Vec2& x) const {
-  return {edge + rim_ + 0.5 * lean_ + x[0] * scale_, title_height + rim_ + (box_.length[gradient] - x[1]) * scale_};
+  return {edge + rim_ + 0.5 * lean_ + x[0] * scale_, title_height + rim_ + (room_[gradient] - x[1]) * scale_};
 }
 
 std::vector<Point> CellPage::on_page(const std::vector<Vec2>& points) const {
@@ -61,7 +62,7 @@ void CellPage::draw_title(const std::string& title) {
 
 void CellPage::draw_scale_bar(double length, const std::string& label) {
   const double width = length * scale_, x = edge + rim_;
-  const double y = title_height + 2 * rim_ + box_.length[gradient] * scale_ + 5;
+  const double y = title_height + 2 * rim_ + room_[gradient] * scale_ + 5;
   canvas_.rectangle({x, y}, {x + width, y + 3}, {ink, {}});
   canvas_.text({x + width + 6, y + 1.5}, label, {.size = 9, .down = Down::middle});
 }

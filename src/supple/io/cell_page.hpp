@@ -18,8 +18,10 @@ class CellPage {
   static constexpr double edge = 10, title_height = 20, foot_height = 26, legend_width = 112;  ///< [pt]
   static constexpr double legend_row = 15, legend_sample = 24;                                 ///< [pt]
 
-  /// cell_size: longer side of the unsheared cell [pt]; strain_room: strain of a leaning cell that finds room.
-  CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room, double dots_per_inch);
+  /// cell_size: longer side of the unsheared cell [pt]; strain_room: strain of a leaning cell that finds room; room:
+  /// lengths of a cell that does, and whose longer side then is cell_size.
+  CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room, double dots_per_inch,
+           const Vec2& room = {});
 
   Canvas& canvas() { return canvas_; }
   const Box<2>& box() const { return box_; }
@@ -45,6 +47,7 @@ class CellPage {
   std::array<Point, 4> moved_out(double along, double across) const;
 
   Box<2> box_;
+  Vec2 room_;  // lengths of the largest cell that the page holds
   double scale_, rim_, lean_;  // [pt per length], [pt], [pt]
   std::array<Vec2, 4> cell_;
   Canvas canvas_;

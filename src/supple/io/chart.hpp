@@ -28,7 +28,7 @@ struct ChartSeries {
 enum class Spacing { linear, logarithmic };
 
 /// Numbers are shown in the unit with an SI prefix; "%": times 100; a unit that begins with a digit takes no prefix;
-/// without a unit, very large and very small numbers are shown with a power of ten.
+/// without a unit or with a symbol ("k_a a0"), very large and very small numbers are shown with a power of ten.
 struct ChartAxis {
   std::string label, unit;
   std::optional<std::pair<double, double>> range = {};  ///< SI; from the data where not given

@@ -58,18 +58,18 @@ struct Columns {
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;
 
-  void add(const RunFile& run, const std::string& name, const std::string& as) {
+  void add(const RunFile& run, const std::string& name, const std::string& as, const std::string& table = "stress") {
     names.push_back(as);
-    values.push_back(run.column("stress", name));
+    values.push_back(run.column(table, name));
   }
   void append_row(CsvFile& csv, std::size_t row) const {
     for (const auto& column : values) csv.cell(column[row]);
   }
 };
 
-void export_table(const RunFile& run, CsvFile& csv) {
+void export_table(const RunFile& run, const std::string& table, CsvFile& csv) {
   Columns columns;
-  for (const Column& column : run.columns("stress")) columns.add(run, column.name, column.name);
+  for (const Column& column : run.columns(table)) columns.add(run, column.name, column.name, table);
   for (const std::string& name : columns.names) csv.cell(name);
   csv.end_row();
   for (std::size_t row = 0; row < columns.values.at(0).size(); ++row) {
@@ -186,8 +186,10 @@ void export_trajectory(const RunFile& run, CsvFile& csv) {
 
 void export_csv(const RunFile& run, const std::string& path, Existing existing) {
   CsvFile csv(path, existing);
-  if (run.experiment() == "dynamics") export_trajectory(run, csv);
-  else export_table(run, csv);
+  if (run.has_table("packing")) export_table(run, "packing", csv);
+  else if (run.has_table("motion")) export_table(run, "motion", csv);
+  else if (run.experiment() == "dynamics") export_trajectory(run, csv);
+  else export_table(run, "stress", csv);
   csv.commit();
 }
 

@@ -14,12 +14,6 @@ namespace supple {
 
 namespace {
 
-/// Frame of image k: the images are spread over the frames from the first to the last.
-std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames) {
-  if (images == 1) return frames - 1;
-  return std::llround(static_cast<double>(k) * static_cast<double>(frames - 1) / static_cast<double>(images - 1));
-}
-
 /// Completes what the options leave open so that it holds for all images.
 void settle(SnapshotOptions& options, const RunInfo& info, const FrameSource& frames, std::int64_t images) {
   const bool choose_force = options.full_force <= 0;
@@ -32,6 +26,11 @@ void settle(SnapshotOptions& options, const RunInfo& info, const FrameSource& fr
 }
 
 }  // namespace
+
+std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames) {
+  if (images == 1) return frames - 1;
+  return std::llround(static_cast<double>(k) * static_cast<double>(frames - 1) / static_cast<double>(images - 1));
+}
 
 std::int64_t draw_images(const std::string& folder, const std::string& ending, const RunInfo& info,
                          const FrameSource& frames, std::int64_t images, SnapshotOptions options,

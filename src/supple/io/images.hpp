@@ -14,6 +14,9 @@ struct FrameSource {
   std::function<Frame(std::int64_t)> frame;
 };
 
+/// Frame of image k: the images are spread over the frames from the first to the last.
+std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames);
+
 /// Draws `images` evenly spaced frames, first and last included (all frames if there are fewer), as
 /// FOLDER/image0000000.ENDING, image0000001.ENDING, ... on equal pages with one scale of forces and one colour for each
 /// particle throughout. `progress` (may be empty) hears how many are done. Returns how many were drawn.

@@ -43,7 +43,8 @@ class PolygonPage {
  public:
   PolygonPage(const std::string& path, const PolygonScene& scene, const PolygonSnapshotOptions& options)
       : scene_(scene), options_(options),
-        page_(path, scene.box, options.cell_size, options.strain_room, options.dots_per_inch), canvas_(page_.canvas()),
+        page_(path, scene.box, options.cell_size, options.strain_room, options.dots_per_inch, options.room),
+        canvas_(page_.canvas()),
         bodies_(lay_out_bodies(scene, page_.rim() / page_.scale())),
         contacts_(lay_out_contacts(scene, page_.rim() / page_.scale())) {
     const std::size_t n = scene.radius.size();

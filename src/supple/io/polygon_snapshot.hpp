@@ -32,6 +32,7 @@ struct PolygonSnapshotOptions {
   double cell_size = 340;                ///< longer side of the unsheared cell [pt]
   double dots_per_inch = 200;            ///< png and jpg
   double strain_room = 0;                ///< leave room for a cell leaning by this strain: equal pages for a film
+  Vec2 room = {};                        ///< leave room for a cell of these lengths, and take its scale: likewise
 };
 
 /// Draws one instant: bodies as the union of their polygon and the discs on its vertices, with the images that reach

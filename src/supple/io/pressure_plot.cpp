@@ -105,6 +105,11 @@ void draw_pressure_plot(const std::string& path, const std::vector<PressureSerie
   for (auto* group : {&lines, &points})
     for (ChartSeries& s : *group) panel.series.push_back(std::move(s));
   panel.x.range = range_of_x(panel);
+  if (options.target && panel.x.range) {
+    const auto [low, high] = *panel.x.range;
+    ChartSeries line{"wanted", {low, high}, {*options.target, *options.target}, {}, gray, Marks::line, 0.8, {4, 2}};
+    panel.series.insert(panel.series.begin(), std::move(line));
+  }
   draw_chart(path, {{{{panel}, 1}}, options.width, options.height});
 }
 

@@ -25,6 +25,7 @@ enum class PressureAxes { linear, log_pressure, log_excess };
 struct PressurePlotOptions {
   PressureAxes axes = PressureAxes::linear;
   std::string pressure_unit = {};            ///< empty: dimensionless
+  std::optional<double> target = {};         ///< a pressure to mark by a dashed line
   std::string heading = {};                  ///< above the chart
   double width = 300, height = 240;          ///< [pt]
 };

@@ -156,6 +156,8 @@ InitialState read_run(const std::string& path) {
   for_each_constant(out.material, [&]<class T>(const char* name, std::optional<T>& constant) {
     if (const auto value = run.find_value(material_group, name)) constant = static_cast<T>(*value);
   });
+  if (const auto stiffness = run.find_value(material_group, contact_stiffness))
+    out.contact = Harmonic{*stiffness, run.value(material_group, contact_is_relative) != 0};
   for (const RunValue& v : run.values(protocol_group)) {
     if (v.name.name == "applying_shear") out.applying_shear = v.value != 0;
     else if (v.name.name == "reset_force_each_step") out.reset_force_each_step = v.value != 0;

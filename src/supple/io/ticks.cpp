@@ -63,10 +63,11 @@ Prefix si_prefix(double largest) {
 ShownUnit shown_unit(const std::string& unit, double largest) {
   const double size = std::abs(largest);
   if (unit == "%") return {0.01, unit};
-  if (unit.empty()) {
-    if (!(size > 0) || !std::isfinite(size) || (size >= 1e-2 && size < 1e5)) return {};
+  const bool symbols = unit.find('_') != unit.npos;
+  if (unit.empty() || symbols) {
+    if (!(size > 0) || !std::isfinite(size) || (size >= 1e-2 && size < 1e5)) return {1, unit};
     const int power = static_cast<int>(std::floor(std::log10(size * (1 + 1e-12))));
-    return {std::pow(10.0, power), "10" + superscript(power)};
+    return {std::pow(10.0, power), "10" + superscript(power) + (symbols ? "\u00a0" + unit : "")};
   }
   if (std::isdigit(static_cast<unsigned char>(unit[0]))) return {1, unit};
   const Prefix prefix = si_prefix(size);

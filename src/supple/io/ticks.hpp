@@ -26,8 +26,8 @@ struct Prefix {
 Prefix si_prefix(double largest);
 
 /// How numbers up to |largest| are shown beside an axis: value / factor, and what to write for the unit. A unit gets
-/// its prefix; "%" stands for 0.01; a unit that begins with a digit stays as it is; without a unit very large and very
-/// small numbers get a power of ten.
+/// its prefix; "%" stands for 0.01; a unit that begins with a digit stays as it is; without a unit, or with one of the
+/// model's symbols ("k_a a0"), very large and very small numbers get a power of ten.
 struct ShownUnit {
   double factor = 1;
   std::string text;

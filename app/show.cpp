@@ -1,0 +1,161 @@
+/// show: the summary of a run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "supple/io/run_file.hpp"
+
+namespace supple::command {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string with_error(const RunValue& v) {
+  const std::string unit = v.name.unit.empty() ? "" : " " + v.name.unit;
+  if (v.error < 0) return fmt::format("{:.5g}{}", v.value, unit);
+  return fmt::format("{:.5g} ± {:.2g}{}", v.value, v.error, unit);
+}
+
+int particle_count(const RunInfo& info) {
+  const auto& p = info.particle;
+  return p.empty() ? 0 : 1 + *std::max_element(p.begin(), p.end());
+}
+
+/// Bodies of a run of deformable particles; vertices: of polygons.
+struct BodyCounts {
+  int bodies = 0, polygons = 0, vertices = 0;
+};
+
+BodyCounts count_bodies(const RunInfo& info) {
+  BodyCounts count;
+  for (std::size_t b = 0; b + 1 < info.body_begin.size(); ++b) {
+    const int sites = info.body_begin[b + 1] - info.body_begin[b];
+    ++count.bodies;
+    if (sites > 1) ++count.polygons, count.vertices += sites;
+  }
+  return count;
+}
+
+Json values_json(const std::vector<RunValue>& values) {
+  Json j = Json::object();
+  for (const RunValue& v : values) {
+    Json& entry = j[v.name.name] = {{"value", v.value}, {"unit", v.name.unit}, {"meaning", v.name.meaning}};
+    if (v.error >= 0) entry["error"] = v.error;
+  }
+  return j;
+}
+
+/// Empty where the particles come from a file, which knows only their stiffnesses.
+std::string family_of(const RunFile& run) {
+  const Case c = run.resolved_case();
+  return c.initial.state.empty() && c.initial.packing.empty() ? c.bodies.family : "";
+}
+
+/// Sizes of what the run holds.
+void add_sizes(Json& j, const RunFile& run, const RunInfo& info) {
+  if (!is_deformable(run.resolved_case())) {
+    j["discs"] = info.radius.size();
+    j["particles"] = particle_count(info);
+    return;
+  }
+  const BodyCounts count = count_bodies(info);
+  if (const std::string family = family_of(run); !family.empty()) j["family"] = family;
+  j["particles"] = count.bodies;
+  j["polygons"] = count.polygons;
+  j["vertices"] = count.vertices;
+}
+
+void show_json(const RunFile& run) {
+  const RunInfo info = run.info();
+  Json j{{"run", run.path()},       {"status", run.status()}, {"experiment", run.experiment()},
+         {"physics", run.physics()}, {"seed", run.seed()},     {"version", run.version()}};
+  add_sizes(j, run, info);
+  j["frames"] = run.frames();
+  for (const std::string group : {"results", "constants"}) j[group] = values_json(run.values(group));
+  j["warnings"] = run.warnings();
+  fmt::print("{}\n", j.dump(2));
+}
+
+constexpr std::string_view storage = "storage_modulus_";
+
+/// What the stress was taken from: "internal", "external", ...
+std::vector<std::string> estimators(const std::vector<RunValue>& results) {
+  std::vector<std::string> names;
+  for (const RunValue& v : results)
+    if (v.name.name.starts_with(storage)) names.push_back(v.name.name.substr(storage.size()));
+  return names;
+}
+
+/// G' and G'' side by side, a line for each estimator.
+void show_moduli(const std::vector<RunValue>& results) {
+  const auto text = [&](const std::string& name) {
+    const auto at =
+        std::find_if(results.begin(), results.end(), [&](const RunValue& v) { return v.name.name == name; });
+    return at == results.end() ? std::string("-") : with_error(*at);
+  };
+  const std::vector<std::string> names = estimators(results);
+  if (names.empty()) return;
+  fmt::print("\n  {:<20} {:<20} {:<20} {}\n", "stress", "G'", "G''", "third harmonic");
+  for (const std::string& name : names)
+    fmt::print("  {:<20} {:<20} {:<20} {}\n", name, text(std::string(storage) + name),
+               text("loss_modulus_" + name), text("third_harmonic_" + name));
+}
+
+/// Numbers that do not belong to one estimator.
+void show_values(const std::vector<RunValue>& values) {
+  const std::vector<std::string> names = estimators(values);
+  const auto belongs = [&](const std::string& value) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const auto& name) { return value.ends_with("_" + name); });
+  };
+  std::size_t name = 31, value = 20;  // widths
+  for (const RunValue& v : values) {
+    name = std::max(name, v.name.name.size());
+    value = std::max(value, with_error(v).size());
+  }
+  fmt::print("\n");
+  for (const RunValue& v : values)
+    if (!belongs(v.name.name))
+      fmt::print("  {:<{}} {:<{}} {}\n", v.name.name, name, with_error(v), value, v.name.meaning);
+}
+
+void show_discs(const RunFile& run) {
+  const RunInfo info = run.info();
+  const Vec2 cell = info.units.length * 1e6 * info.box.length;
+  fmt::print("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
+  fmt::print("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}\n", info.radius.size(),
+             particle_count(info), cell[0], cell[1], run.seed(), run.version());
+  const std::vector<RunValue> results = run.values("results");
+  show_moduli(results);
+  show_values(results.empty() ? run.values("constants") : results);
+}
+
+/// The cell at the last frame: it is what packings are made to change.
+void show_bodies(const RunFile& run) {
+  const RunInfo info = run.info();
+  const BodyCounts count = count_bodies(info);
+  const Vec2 at_end = run.frames() > 0 ? run.frame(run.frames() - 1).length : info.box.length;
+  std::string what = fmt::format("{} particles", count.bodies);
+  const std::string family = family_of(run);
+  if (!family.empty()) what += " (" + family + ")";
+  if (count.polygons > 0) what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
+  fmt::print("{}: {}, {}\n", run.path(), run.experiment(), run.status());
+  fmt::print("{}, cell {:.4g} x {:.4g}, seed {}, supple {}\n", what, at_end[0], at_end[1], run.seed(), run.version());
+  const std::vector<RunValue> results = run.values("results");
+  show_values(results.empty() ? run.values("constants") : results);
+}
+
+}  // namespace
+
+void show(const std::string& run_path, Format format) {
+  const RunFile run(run_path);
+  if (format == Format::json) return show_json(run);
+  if (is_deformable(run.resolved_case())) show_bodies(run);
+  else show_discs(run);
+  for (const std::string& warning : run.warnings()) fmt::print("\nwarning: {}\n", warning);
+}
+
+}  // namespace supple::command
