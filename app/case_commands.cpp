@@ -138,6 +138,7 @@ void init(const std::string& experiment, const std::string& path, Existing exist
     c.initial.state = "state.json";
     c.time.steps = 1000;
   }
+  if (experiment == "slump") c.motion.damping = 0.05;
   const std::string text = write_case(c, CaseStyle::commented);
   if (path == "-") {
     fmt::print("{}", text);

@@ -310,7 +310,7 @@ with h5py.File(sys.argv[1]) as f:
     assert frames['length'].shape == (23, 2) and frames['length'].attrs['unit'] == '1e-06 m'
     pressure = frames['body/pressure']
     assert pressure.shape == (23, 2) and pressure[7, 1] == -7 / 41
-    assert pressure.attrs['unit'] == 'k_a a0' and 'pressure' in pressure.attrs['meaning']
+    assert pressure.attrs['unit'] == 'pressure_unit' and 'pressure' in pressure.attrs['meaning']
     assert frames['body/zeal'].shape == (23, 2)
     assert f['discs/body_begin'][()].tolist() == [0, 2, 5]
     g = f['results/storage_modulus']

@@ -96,7 +96,7 @@ void check_bodies(const Case& c, Problems& problems) {
 void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
   if (c.initial.state.empty() && c.initial.packing.empty()) return;
   for (const std::string key : {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction",
-                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "jamming.packing_fraction"})
+                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction"})
     if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 
@@ -134,10 +134,6 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
   idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(), "dynamics that starts from [bodies] or a packing");
   if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
-  if (!c.initial.state.empty())
-    for (const std::string& key : c.given)
-      if (key.starts_with("bodies.") && key != "bodies.stiffness" && key != "bodies.flow_time" && key != "bodies.yield_strain")
-        doubts.push_back(key + " has no effect on the particles of initial.state");
   for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
   find_keys_of_others(c, doubts);
   find_idle_sections(c, doubts);

@@ -92,7 +92,7 @@ const std::vector<Column>& known_body_numbers() {
       {"area", "", "area that the body covers"},
       {"shape_parameter", "", "p^2/(4 pi a); 0 for discs"},
       {"contacts", "", "bodies and walls that it touches"},
-      {"rattler", "", "1: fewer than 3 contacts with bodies that are none"},
+      {"rattler", "", "1: held by too few contacts to bear pressure"},
   };
   return known;
 }
