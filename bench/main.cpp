@@ -11,6 +11,7 @@
 #include "bench/dense_discs.hpp"
 #include "bench/lammps.hpp"
 #include "bench/machine.hpp"
+#include "bench/packings.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/observe/stress.hpp"
 
@@ -166,7 +167,7 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | peers | run]...: these tables, or all.
+/// supple_bench [sizes | peers | run | shells | jamming]...: these tables, or all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -181,4 +182,6 @@ int main(int argc, char** argv) {
     print_limit(comparison.supple);
   }
   if (wants("run")) print_default_run(comparison.lammps / lammps_published);
+  if (wants("shells")) print_shells();
+  if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
 }
