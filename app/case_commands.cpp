@@ -23,7 +23,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Keys that a first case of the experiment shows set, because everybody changes them.
-std::set<std::string> first_keys(const std::string& experiment) {
+std::set<std::string> first_keys(const Case& c) {
+  const std::string& experiment = c.general.experiment;
+  if (experiment == "dynamics" && is_deformable(c))
+    return {"experiment", "physics", "seed", "bodies.family", "bodies.N", "jamming.packing_fraction", "motion.kinetic_energy",
+            "time.steps"};
   if (experiment == "dynamics") return {"experiment", "initial.state", "time.steps", "shear.rate"};
   if (experiment == "jamming") return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
   if (experiment == "compression") return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
@@ -123,7 +127,7 @@ Case load_case(const CaseChoice& choice) {
   return c;
 }
 
-void init(const std::string& experiment, const std::string& path, Existing existing) {
+void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing) {
   std::vector<std::string> names;
   for (const Experiment& e : experiments()) names.push_back(e.name);
   if (std::find(names.begin(), names.end(), experiment) == names.end()) {
@@ -133,11 +137,18 @@ void init(const std::string& experiment, const std::string& path, Existing exist
   }
   Case c;
   c.general.experiment = experiment;
-  c.given = first_keys(experiment);
-  if (experiment == "dynamics") {
+  if (!physics.empty()) c.general.physics = physics;
+  if (!physics.empty() && (physics == "deformable") != is_deformable(c))
+    throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics), "it is about deformable particles",
+                      "leave --physics away");
+  if (experiment == "dynamics") c.time.steps = 1000;
+  if (experiment == "dynamics" && is_deformable(c)) {
+    c.jamming.packing_fraction = 0.6;
+    c.motion.kinetic_energy = 1e-5;
+  } else if (experiment == "dynamics") {
     c.initial.state = "state.json";
-    c.time.steps = 1000;
   }
+  c.given = first_keys(c);
   if (experiment == "slump") c.motion.damping = 0.05;
   const std::string text = write_case(c, CaseStyle::commented);
   if (path == "-") {

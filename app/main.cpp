@@ -27,7 +27,7 @@ constexpr auto exit_codes =
 /// What the options of one call are read into.
 struct Options {
   command::CaseChoice choice;
-  std::string experiment = "oscillatory_shear", run, output, to = "csv", color, section;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", color, section, physics;
   std::optional<int> frame;
   bool force = false, json = false;
 
@@ -58,8 +58,11 @@ void add_case_commands(CLI::App& app, Options& o) {
   CLI::App* init = app.add_subcommand("init", "Write a commented case to start from");
   init->add_option("experiment", o.experiment, "What to run: oscillatory_shear (default), dynamics, jamming, ...; see supple list")
       ->type_name("EXPERIMENT");
+  init->add_option("--physics", o.physics, "With dynamics: deformable, for polygons instead of microgel discs")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"documented", "particleshear-1.0.2", "deformable"}));
   add_output(*init, o, "Case to write; - for the screen (default: EXPERIMENT.toml)");
-  init->callback([&] { command::init(o.experiment, o.output, o.existing()); });
+  init->callback([&] { command::init(o.experiment, o.physics, o.output, o.existing()); });
 
   CLI::App* check =
       app.add_subcommand("check", "Validate a case; print derived numbers and warnings; run nothing");

@@ -182,6 +182,25 @@ TEST_F(Bodies, InitShowsOnlyWhatTheExperimentReads) {
   }
 }
 
+TEST_F(Bodies, InitKnowsTheDynamicsOfPolygons) {
+  ASSERT_EQ(supple("init dynamics --physics deformable").code, 0);
+  const std::string text = read_text(path("dynamics.toml"));
+  EXPECT_THAT(text, HasSubstr("[bodies]"));
+  EXPECT_THAT(text, Not(HasSubstr("[material]")));
+  const Outcome check = supple("check dynamics.toml");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, Not(HasSubstr("warning")));
+  EXPECT_THAT(supple("check dynamics.toml --set jamming.pressure=1e-3").out, HasSubstr("jamming.pressure has no effect"));
+  EXPECT_EQ(supple("init jamming --physics documented").code, 2);
+}
+
+TEST_F(Bodies, RandomParticlesThatDoNotFitAreRefused) {
+  ASSERT_EQ(supple("init uniaxial_compression").code, 0);
+  const Outcome run = supple("run uniaxial_compression.toml --set uniaxial.packing_fraction=0.94");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("vertices inside another one"));
+}
+
 TEST_F(Bodies, MotionsAreDrawn) {
   write("m.toml", "experiment = \"dynamics\"\nphysics = \"deformable\"\n[bodies]\nN = 6\nvertices = 8\n[jamming]\n"
                   "packing_fraction = 0.4\n[motion]\nkinetic_energy = 1e-4\n[time]\nsteps = 50\n[output]\nframes = 5\n"

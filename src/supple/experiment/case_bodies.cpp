@@ -129,7 +129,7 @@ std::vector<std::string> sections_of(const Case& c) {
   if (name == "compression") sections.insert(sections.end(), {"minimise", "jamming", "compression"});
   if (name == "uniaxial_compression") sections.insert(sections.end(), {"minimise", "uniaxial"});
   if (name == "slump") sections.insert(sections.end(), {"slump", "motion", "time"});
-  if (name == "dynamics") sections.insert(sections.end(), {"minimise", "jamming", "motion", "time"});
+  if (name == "dynamics") sections.insert(sections.end(), {"jamming", "motion", "time"});
   sections.insert(sections.end(), {"initial", "output"});
   return sections;
 }

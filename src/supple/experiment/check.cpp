@@ -124,12 +124,14 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   for (const auto key : {"bodies.vertices", "bodies.vertex_rule", "bodies.diameter_ratio", "bodies.discs"})
     idle(key, b.family != "disc", "a family of polygons");
   idle("bodies.yield_strain", b.flow_time > 0, "bodies.flow_time");
-  const bool moves = c.general.experiment == "dynamics" || c.general.experiment == "slump";
+  const std::string& name = c.general.experiment;
+  const bool moves = name == "dynamics" || name == "slump";
+  for (const auto key : {"jamming.step", "jamming.pressure", "jamming.window", "jamming.search", "jamming.pressure_kind"})
+    idle(key, name != "dynamics", "a search for a pressure: jamming or compression");
   idle("bodies.flow_time", moves, "an experiment in time: dynamics or slump");
   if (soft && b.family == "floppy" && b.k_b > 0) doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
   if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 0.5)
     doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices", b.diameter_ratio));
-  const std::string& name = c.general.experiment;
   idle("contact.k_p", name == "slump" || name == "uniaxial_compression", "walls: slump or uniaxial_compression");
   idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
   idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(), "dynamics that starts from [bodies] or a packing");

@@ -14,6 +14,7 @@
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
+#include "supple/observe/shape_measures.hpp"
 
 namespace supple {
 
@@ -95,6 +96,10 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted) {
   System<2> system;
   system.box.length = {length, length};
   for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
+  if (const auto inside = bodies_inside_others(system); !inside.empty())
+    throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
+                      fmt::format("there is no room: {} of {} would begin with vertices inside another one", inside.size(), bodies),
+                      "start at a lower one, and compress");
   return system;
 }
 
@@ -137,10 +142,14 @@ Packing make_packing(const Case& c, const InitialState* initial, double packing_
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   const Harmonic law = contact_law(c);
   const auto& stiffness = p.system.shape.stiffness;
-  const auto soft = std::find_if(stiffness.begin(), stiffness.end(), [](const ShapeStiffness& k) { return k.volume > 0; });
-  if (soft != stiffness.end()) {
-    p.pressure_unit = soft->volume * p.system.shape.rest_volume[soft - stiffness.begin()];
-  } else {
+  double smallest = 0;
+  for (std::size_t b = 0; b < stiffness.size(); ++b) {
+    const double area = p.system.shape.rest_volume[b];
+    if (stiffness[b].volume == 0 || (smallest > 0 && area >= smallest)) continue;
+    smallest = area;
+    p.pressure_unit = stiffness[b].volume * area;
+  }
+  if (smallest == 0) {
     p.pressure_unit = law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
     p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
   }
