@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "supple/core/random.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "tests/support/polygons.hpp"
 
@@ -36,6 +37,19 @@ TEST(PolygonShape, EqualsTheTermsItStandsFor) {
   add_disc_body(system, {1, 1}, 0.5);
   expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
   for (ShapeStiffness& k : system.shape.stiffness) k.hinge = 0;  // floppy: no angles
+  expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
+}
+
+/// Rings of all sizes round those of the loops, with sharp and reflex corners, a small one last, far from the origin.
+TEST(PolygonShape, EqualsTheTermsForRingsOfAnySize) {
+  System<2> system;
+  system.box.length = {20, 20};
+  RandomStream draw(5, Purpose::test);
+  for (const int n : {3, 7, 8, 9, 15, 16, 17, 22, 23, 24, 25, 6, 5, 4, 3}) {
+    add_polygon(system, {100.0 * n, -50.0}, 1.5, n, 0.1, 1, {.bending = 0.3, .tension = 0.1});
+    for (std::size_t i = system.state.position.size() - n; i < system.state.position.size(); ++i)
+      system.state.position[i] += Vec2{draw.uniform(-0.2, 0.2), draw.uniform(-0.2, 0.2)};
+  }
   expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
 }
 

@@ -21,5 +21,14 @@ TEST(TurningAngle, IsWithinItsStatedErrorOfLibm) {
   EXPECT_LT(worst_error(1.6, 3.1), 5e-15);
 }
 
+TEST(TurningAngle, IsWithinItsStatedErrorWhereItIsBlunt) {
+  double worst = 0;
+  for (int k = -20000; k <= 20000; ++k) {
+    const double angle = std::acos(least_blunt_cosine) * k / 20000, sine = std::sin(angle), cosine = std::cos(angle);
+    worst = std::max(worst, std::abs(blunt_turning_angle(sine, cosine) - std::atan2(sine, cosine)));
+  }
+  EXPECT_LT(worst, 5e-16);
+}
+
 }  // namespace
 }  // namespace supple

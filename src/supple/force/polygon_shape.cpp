@@ -1,180 +1,254 @@
 #include "supple/force/polygon_shape.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
+#include <memory>
 
+#include "supple/core/multiply_add.hpp"
 #include "supple/force/ring_hessian.hpp"
 #include "supple/force/shape_terms.hpp"
+#include "supple/geometry/inverse_root.hpp"
 #include "supple/geometry/turning_angle.hpp"
 
 namespace supple {
 
 namespace {
 
-/// Vector instructions work on whole blocks: loops over a ring run on past its end, over numbers that nobody reads.
-constexpr int block = 4;
+/// Loops over a ring go in blocks of so many numbers, each of which becomes vector instructions without a remainder: they run on past
+/// the end of the ring, over numbers that nobody reads.
+constexpr int block = 8;
 constexpr int padded(int n) { return (n + block - 1) / block * block; }
 
-/// Numbers of one ring of n vertices. Edge e joins vertices e - 1 and e; edges 0 and n are the same one, so that no loop has to close
-/// the ring; vertices are at v + 1, the last one again at 0. G = dU/d(edge vector).
-struct Ring {
-  int body, n;
-  double area, pressure;
-  double *x, *y, *e_x, *e_y, *length, *moment, *g_x, *g_y, *work, *rest_length, *rest_angle;
-  static constexpr int arrays = 11;
+/// body(v) for v in [0, n) and on to the end of the block, in any order.
+template <class Body>
+[[gnu::always_inline]] inline void for_blocks(int n, const Body& body) {
+  for (int b = 0; b < n; b += block)
+#pragma GCC ivdep
+    for (int v = b; v < b + block; ++v) body(v);
+}
 
-  std::size_t size() const { return static_cast<std::size_t>(arrays) * (padded(n + 2) + block); }
-  void place(double* at) {
-    const int row = padded(n + 2) + block;
-    for (double** array : {&x, &y, &e_x, &e_y, &length, &moment, &g_x, &g_y, &work, &rest_length, &rest_angle})
-      *array = at, at += row;
-  }
+/// Numbers that a ring has for each vertex, and the edge that leaves it.
+enum class Row {
+  edge_x, edge_y, per_length,  ///< edge vector, 1/length
+  bent,                        ///< angle beyond the rest angle
+  part,                        ///< something to be summed
+  start_x, start_y,            ///< force of an edge on the vertex where it starts
+  end_x, end_y,                ///< and on the one where it ends
+  rest_length, rest_angle, position, position_too,  ///< used by the last rings of all
+  count
+};
+
+/// One ring. Row [-1] is that of the last vertex again and [n] of the first one, so that no loop has to close the ring; [-1] is the
+/// last place of the row before, which is written earlier or in the same loop.
+struct Ring {
+  int body, n, stride;
+  double* numbers = nullptr;
+  const Vec2* position = nullptr;  ///< these may be read to the end of the block
+  const double *rest_length = nullptr, *rest_angle = nullptr;
+  double pressure = 0;
+  bool sharp = false;  ///< some corner is beyond least_blunt_cosine
+
+  Ring(int b, int vertices) : body(b), n(vertices), stride(padded(n + 2)) {}
+  double* operator[](Row row) const { return numbers + static_cast<int>(row) * stride; }
+  int size() const { return static_cast<int>(Row::count) * stride; }
 };
 
 /// Some rings that go through each pass together: what one pass stores has left the processor's store buffer when the next one reads
 /// it in other pieces. With one small ring at a time that wait is half of all time.
 struct Group {
-  static constexpr int sites = 256;
+  static constexpr int sites = 160;
   std::vector<Ring> rings;
   std::vector<double> numbers;
 
-  void clear() { rings.clear(); }
-  void place() {
-    std::size_t size = 0;
-    for (const Ring& r : rings) size += r.size();
+  /// Gives the rings their rows, aligned, and what they read.
+  void place(const System<2>& system) {
+    std::size_t size = 2 * block;
+    for (const Ring& r : rings) size += static_cast<std::size_t>(r.size());
     if (numbers.size() < size) numbers.assign(size, 1.0);
-    double* at = numbers.data();
-    for (Ring& r : rings) r.place(at), at += r.size();
+    std::size_t space = (size - 1) * sizeof(double);
+    void* at = numbers.data() + 1;
+    auto* next = static_cast<double*>(std::align(block * sizeof(double), sizeof(double), at, space));
+    for (Ring& r : rings) {
+      r.numbers = next;
+      next += r.size();
+      point(system, r);
+    }
+  }
+
+ private:
+  /// Where less than a block is left behind a ring, it reads copies.
+  static void point(const System<2>& system, Ring& r) {
+    const Topology<2>& t = system.topology;
+    const auto reads = [&](const auto& values, std::int32_t begin, auto* copy) -> decltype(values.data()) {
+      if (begin + padded(r.n) < static_cast<int>(values.size())) return values.data() + begin;
+      std::copy_n(values.begin() + begin, std::min<std::size_t>(r.n, values.size() - begin), copy);
+      return copy;
+    };
+    r.position = reads(system.state.position, t.begin[r.body], reinterpret_cast<Vec2*>(r[Row::position]));
+    r.rest_length = reads(system.shape.rest_facet, t.facet_begin[r.body], r[Row::rest_length]);
+    r.rest_angle = reads(system.shape.rest_hinge, t.hinge_begin[r.body], r[Row::rest_angle]);
   }
 };
 
-struct ShapeSum {
-  double energy = 0;
-  Mat2 virial;
-  ShapeSum& operator+=(const ShapeSum& b) {
-    energy += b.energy;
-    virial += b.virial;
+/// A sum over rings in lanes, for the processor to overlap.
+struct LaneSum {
+  typedef double Lanes __attribute__((vector_size(block * sizeof(double))));
+  Lanes lanes{};
+
+  void add(const double* part, int n) {
+    constexpr Lanes index{0, 1, 2, 3, 4, 5, 6, 7}, zero{};
+    for (int v = 0; v < n; v += block) {
+      Lanes here;
+      std::memcpy(&here, part + v, sizeof here);
+      lanes += index < static_cast<double>(n - v) ? here : zero;
+    }
+  }
+  double total() const {
+    return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+  }
+  LaneSum& operator+=(const LaneSum& b) {
+    lanes += b.lanes;
     return *this;
   }
 };
 
-/// Sum of n numbers in four chains, for the processor to overlap.
-double sum_of(const double* v, int n) {
-  double s[4] = {};
-  int i = 0;
-  for (; i + 4 <= n; i += 4)
-    for (int k = 0; k < 4; ++k) s[k] += v[i + k];
-  for (; i < n; ++i) s[0] += v[i];
-  return (s[0] + s[1]) + (s[2] + s[3]);
+double sum_of_parts(const Ring& r, int n) {
+  LaneSum sum;
+  sum.add(r[Row::part], n);
+  return sum.total();
 }
 
-// The loops below are functions of plain arrays that do not overlap, or g++ 12 leaves them scalar.
-using In = const double* __restrict;
-using Out = double* __restrict;
+struct ShapeSum {
+  LaneSum energy, virial[2][2];
+  ShapeSum& operator+=(const ShapeSum& b) {
+    energy += b.energy;
+    for (int c = 0; c < 2; ++c)
+      for (int d = 0; d < 2; ++d) virial[c][d] += b.virial[c][d];
+    return *this;
+  }
+};
 
-[[gnu::noinline]] void edges_loop(int count, In x, In y, Out e_x, Out e_y, Out length, Out cross) {
-  for (int e = 0; e < count; ++e) {
-    const double dx = x[e + 1] - x[e], dy = y[e + 1] - y[e];
-    e_x[e] = dx;
-    e_y[e] = dy;
-    length[e] = std::sqrt(dx * dx + dy * dy);
-    cross[e] = x[e] * y[e + 1] - y[e] * x[e + 1];
+/// Edge vectors and lengths, and the parts of twice the area; none of the last edge, as the first vertex is the origin.
+void measure_edges(const Ring& r) {
+  double *const edge_x = r[Row::edge_x], *const edge_y = r[Row::edge_y], *const per_length = r[Row::per_length];
+  const auto edge = [=](int v, double dx, double dy) {
+    edge_x[v] = dx;
+    edge_y[v] = dy;
+    per_length[v] = inverse_root(multiply_add(dx, dx, dy * dy));
+  };
+  const Vec2 *const position = r.position, origin = position[0];
+  for_blocks(r.n, [=, part = r[Row::part]](int v) {
+    const double dx = position[v + 1][0] - position[v][0], dy = position[v + 1][1] - position[v][1];
+    edge(v, dx, dy);
+    part[v] = multiply_add(position[v][0] - origin[0], dy, -((position[v][1] - origin[1]) * dx));
+  });
+  const int last = r.n - 1;
+  edge(last, origin[0] - position[last][0], origin[1] - position[last][1]);
+  for (double* row : {edge_x, edge_y, per_length}) row[-1] = row[last];
+}
+
+/// Angles at the corners, those that are not blunt in a second go: few rings have any.
+template <bool blunt>
+void measure_angles(Ring& r) {
+  double* const bent = r[Row::bent];
+  for_blocks(r.n, [bent, edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], rest = r.rest_angle,
+                   is_sharp = r[Row::part]](int v) {
+    const double per_product = per_length[v - 1] * per_length[v];
+    const double sine = per_product * multiply_add(edge_x[v - 1], edge_y[v], -(edge_y[v - 1] * edge_x[v]));
+    const double cosine = per_product * multiply_add(edge_x[v - 1], edge_x[v], edge_y[v - 1] * edge_y[v]);
+    if constexpr (blunt) {
+      bent[v] = blunt_turning_angle(sine, cosine) - rest[v];
+      is_sharp[v] = cosine < least_blunt_cosine ? 1 : 0;
+    } else {
+      const double angle = turning_angle(sine, cosine, 1) - rest[v];
+      bent[v] = cosine < least_blunt_cosine ? angle : bent[v];
+    }
+  });
+  bent[r.n] = bent[0];
+  if constexpr (blunt) r.sharp = sum_of_parts(r, r.n) > 0;
+}
+
+/// Forces of each edge on its ends by stretching, tension, the moments at both ends, and pressure.
+template <bool bends>
+void push_ends(const ShapeStiffness& k, const Ring& r) {
+  double *const end_x = r[Row::end_x], *const end_y = r[Row::end_y];
+  for_blocks(r.n, [end_x, end_y, start_x = r[Row::start_x], start_y = r[Row::start_y], bent = r[Row::bent], rest = r.rest_length,
+                   edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], stretch = k.facet,
+                   tension = k.tension, bend = k.hinge, half_pressure = 0.5 * r.pressure](int v) {
+    const double pull = multiply_add(multiply_add(-stretch, rest[v], tension), per_length[v], stretch);
+    double along_x = pull * edge_x[v], along_y = pull * edge_y[v];
+    if constexpr (bends) {
+      const double turn = bend * (bent[v] - bent[v + 1]) * (per_length[v] * per_length[v]);
+      along_x = multiply_add(-turn, edge_y[v], along_x);
+      along_y = multiply_add(turn, edge_x[v], along_y);
+    }
+    const double out_x = half_pressure * edge_y[v], out_y = -half_pressure * edge_x[v];
+    start_x[v] = along_x - out_x, end_x[v] = -along_x - out_x;
+    start_y[v] = along_y - out_y, end_y[v] = -along_y - out_y;
+  });
+  end_x[-1] = end_x[r.n - 1], end_y[-1] = end_y[r.n - 1];
+}
+
+void add_forces(const Ring& r, Vec2* __restrict force) {
+  const double *__restrict start_x = r[Row::start_x], *__restrict start_y = r[Row::start_y];
+  const double *__restrict end_x = r[Row::end_x] - 1, *__restrict end_y = r[Row::end_y] - 1;
+  const int n = r.n;
+  for (int v = 0; v < n; ++v) {
+    force[v][0] += start_x[v] + end_x[v];
+    force[v][1] += start_y[v] + end_y[v];
   }
 }
 
-/// moment[v] = k (theta_v - rest[v]) between edges v and v + 1.
-[[gnu::noinline]] void moments_loop(int count, double k, In e_x, In e_y, In length, In rest, Out moment) {
-  for (int v = 0; v < count; ++v) {
-    const double sine = e_x[v] * e_y[v + 1] - e_y[v] * e_x[v + 1];
-    const double cosine = e_x[v] * e_x[v + 1] + e_y[v] * e_y[v + 1];
-    moment[v] = k * (turning_angle(sine, cosine, length[v] * length[v + 1]) - rest[v]);
-  }
+template <bool bends>
+void add_energies(const ShapeStiffness& k, const Ring& r, ShapeSum& sum) {
+  for_blocks(r.n, [edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], bent = r[Row::bent],
+                   rest = r.rest_length, part = r[Row::part], stretch = k.facet, tension = k.tension, bend = k.hinge](int v) {
+    const double length = (edge_x[v] * edge_x[v] + edge_y[v] * edge_y[v]) * per_length[v], beyond = length - rest[v];
+    part[v] = 0.5 * stretch * beyond * beyond + tension * length;
+    if constexpr (bends) part[v] += 0.5 * bend * bent[v] * bent[v];
+  });
+  sum.energy.add(r[Row::part], r.n);
+  if (k.volume > 0) sum.energy.lanes[0] += 0.5 * r.pressure * r.pressure / k.volume;
 }
 
-[[gnu::noinline]] void slopes_loop(int count, double stretch, double tension, double turns, In e_x, In e_y, In length, In moment,
-                                   In rest, Out g_x, Out g_y) {
-  for (int e = 0; e < count; ++e) {
-    const double per_length = 1 / length[e];
-    const double pull = stretch * (1 - rest[e] * per_length) + tension * per_length;
-    const double turn = turns * (moment[e] - moment[e + 1]) * per_length * per_length;
-    g_x[e] = pull * e_x[e] - turn * e_y[e];
-    g_y[e] = pull * e_y[e] + turn * e_x[e];
-  }
+/// Forces on the vertices times where they are; edges are no longer needed.
+void add_virial(const Ring& r, ShapeSum& sum) {
+  double* const product[2][2] = {{r[Row::edge_x], r[Row::edge_y]}, {r[Row::per_length], r[Row::bent]}};
+  for_blocks(r.n, [xx = product[0][0], xy = product[0][1], yx = product[1][0], yy = product[1][1], position = r.position,
+                   origin = r.position[0], start_x = r[Row::start_x], start_y = r[Row::start_y], end_x = r[Row::end_x], end_y = r[Row::end_y]](int v) {
+    const double force_x = start_x[v] + end_x[v - 1], force_y = start_y[v] + end_y[v - 1];
+    const double x = position[v][0] - origin[0], y = position[v][1] - origin[1];
+    xx[v] = force_x * x, xy[v] = force_x * y;
+    yx[v] = force_y * x, yy[v] = force_y * y;
+  });
+  for (int c = 0; c < 2; ++c)
+    for (int d = 0; d < 2; ++d) sum.virial[c][d].add(product[c][d], r.n);
 }
 
-/// Edge vectors and lengths; returns the enclosed area.
-double measure_edges(const Vec2* position, const Ring& r) {
-  const Vec2 origin = position[0];
-  for (int v = 0; v < r.n; ++v) {
-    r.x[v + 1] = position[v][0] - origin[0];
-    r.y[v + 1] = position[v][1] - origin[1];
-  }
-  r.x[0] = r.x[r.n];
-  r.y[0] = r.y[r.n];
-  edges_loop(padded(r.n), r.x, r.y, r.e_x, r.e_y, r.length, r.work);
-  r.e_x[r.n] = r.e_x[0];
-  r.e_y[r.n] = r.e_y[0];
-  r.length[r.n] = r.length[0];
-  return 0.5 * sum_of(r.work, r.n);
+/// Each pass in a function of its own, or the compiler runs out of registers.
+template <class Pass>
+[[gnu::noinline]] void for_rings(std::vector<Ring>& rings, const Pass& pass) {
+  for (Ring& r : rings) pass(r);
 }
 
-/// Bending moments dU/d(theta) at the corners, moment[v + 1] at vertex v and moment[0] at the last one.
-void bend(double k, const double* rest, const Ring& r) {
-  std::copy(rest, rest + r.n, r.rest_angle);
-  moments_loop(padded(r.n), k, r.e_x, r.e_y, r.length, r.rest_angle, r.moment + 1);
-  r.moment[0] = r.moment[r.n];
-  r.moment[r.n + 1] = r.moment[1];
-}
-
-/// Slopes G of edges 0..n by stretching, tension and the moments at both ends. rest[v] belongs to the edge that leaves vertex v.
-void slope_edges(const ShapeStiffness& k, const double* rest, const Ring& r) {
-  std::copy(rest, rest + r.n, r.rest_length + 1);
-  r.rest_length[0] = r.rest_length[r.n];
-  slopes_loop(padded(r.n + 1), k.facet, k.tension, k.hinge != 0, r.e_x, r.e_y, r.length, r.moment, r.rest_length, r.g_x, r.g_y);
-}
-
-void add_forces(const Ring& r, Vec2* force) {
-  const double half = 0.5 * r.pressure;
-  for (int v = 0; v < r.n; ++v) {
-    force[v][0] -= r.g_x[v] - r.g_x[v + 1] + half * (r.e_y[v] + r.e_y[v + 1]);
-    force[v][1] -= r.g_y[v] - r.g_y[v + 1] - half * (r.e_x[v] + r.e_x[v + 1]);
-  }
-}
-
-double bending_energy(double k, const Ring& r) {
-  double sum = 0;
-  for (int v = 0; v < r.n; ++v) sum += r.moment[v + 1] * r.moment[v + 1];
-  return 0.5 / k * sum;
-}
-
-void add_energies(const ShapeStiffness& k, const Ring& r, double bending, ShapeSum& sum) {
-  double energy = bending;
-  for (int e = 0; e < r.n; ++e) {
-    const double stretch = r.length[e] - r.rest_length[e];
-    energy += 0.5 * k.facet * stretch * stretch + k.tension * r.length[e];
-    sum.virial.add_outer(-1, {r.g_x[e], r.g_y[e]}, {r.e_x[e], r.e_y[e]});
-  }
-  sum.energy += energy + (k.volume > 0 ? 0.5 * r.pressure * r.pressure / k.volume : 0);
-  for (int d = 0; d < 2; ++d) sum.virial[d][d] -= r.pressure * r.area;
-}
-
-void add_group(const System<2>& system, bool energies, Group& group, Evaluation<2>& out, ShapeSum& sum) {
-  const Topology<2>& t = system.topology;
-  const Shape& shape = system.shape;
-  group.place();
-  for (Ring& r : group.rings) {
-    r.area = measure_edges(&system.state.position[t.begin[r.body]], r);
-    r.pressure = shape.stiffness[r.body].volume * (r.area - shape.rest_volume[r.body]);
-  }
-  for (const Ring& r : group.rings)
-    if (const double k = shape.stiffness[r.body].hinge; k != 0) bend(k, &shape.rest_hinge[t.hinge_begin[r.body]], r);
-  for (const Ring& r : group.rings) slope_edges(shape.stiffness[r.body], &shape.rest_facet[t.facet_begin[r.body]], r);
-  for (const Ring& r : group.rings) add_forces(r, &out.force[t.begin[r.body]]);
-  if (!energies) return;
-  for (const Ring& r : group.rings) {
-    const ShapeStiffness& k = shape.stiffness[r.body];
-    add_energies(k, r, k.hinge != 0 ? bending_energy(k.hinge, r) : 0, sum);
-  }
+void add_group(const System<2>& system, Detail detail, Group& g, Evaluation<2>& out, ShapeSum& sum) {
+  const auto stiffness = [&](const Ring& r) -> const ShapeStiffness& { return system.shape.stiffness[r.body]; };
+  g.place(system);
+  for_rings(g.rings, [](Ring& r) { measure_edges(r); });
+  for_rings(g.rings, [&](Ring& r) { r.pressure = stiffness(r).volume * (0.5 * sum_of_parts(r, r.n - 1) - system.shape.rest_volume[r.body]); });
+  for_rings(g.rings, [&](Ring& r) {
+    if (stiffness(r).hinge != 0) measure_angles<true>(r);
+  });
+  for_rings(g.rings, [&](Ring& r) {
+    if (r.sharp) measure_angles<false>(r);
+  });
+  for_rings(g.rings, [&](Ring& r) { stiffness(r).hinge != 0 ? push_ends<true>(stiffness(r), r) : push_ends<false>(stiffness(r), r); });
+  for_rings(g.rings, [&](Ring& r) { add_forces(r, &out.force[system.topology.begin[r.body]]); });
+  if (detail == Detail::forces) return;
+  for_rings(g.rings, [&](Ring& r) {
+    stiffness(r).hinge != 0 ? add_energies<true>(stiffness(r), r, sum) : add_energies<false>(stiffness(r), r, sum);
+  });
+  for_rings(g.rings, [&](Ring& r) { add_virial(r, sum); });
 }
 
 }  // namespace
@@ -187,31 +261,27 @@ double PolygonShape::energy(const System<2>& system) const {
 
 void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const {
   if (system.shape.empty()) return;
-  const bool energies = detail == Detail::energies;
+  const Topology<2>& t = system.topology;
   const ShapeSum total = sum_chunks<ShapeSum>(
       static_cast<std::int64_t>(system.shape.stiffness.size()), [&](std::int64_t begin, std::int64_t end) {
         static thread_local Group group;
         ShapeSum sum;
         int sites = 0;
-        group.clear();
+        group.rings.clear();
         for (auto b = static_cast<int>(begin); b < end; ++b) {
-          const Topology<2>& t = system.topology;
           const int n = t.facet_begin[b + 1] - t.facet_begin[b];
-          if (n > 0) {
-            Ring& r = group.rings.emplace_back();
-            r.body = b;
-            r.n = n;
-          }
+          if (n > 0) group.rings.emplace_back(b, n);
           if ((sites += n) < Group::sites && b + 1 < end) continue;
-          add_group(system, energies, group, out, sum);
-          group.clear();
+          add_group(system, detail, group, out, sum);
+          group.rings.clear();
           sites = 0;
         }
         return sum;
       });
-  if (!energies) return;
-  out.energy.terms += total.energy;
-  out.virial += total.virial;
+  if (detail == Detail::forces) return;
+  out.energy.terms += total.energy.total();
+  for (int c = 0; c < 2; ++c)
+    for (int d = 0; d < 2; ++d) out.virial[c][d] += total.virial[c][d].total();
 }
 
 void PolygonShape::add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const {

@@ -2,6 +2,8 @@
 #pragma once
 #include <cmath>
 
+#include "supple/core/multiply_add.hpp"
+
 namespace supple {
 
 /// atan2(sine, cosine), where hypot(sine, cosine) = product (of the two lengths). Half of the angle has the tangent
@@ -27,6 +29,24 @@ inline double turning_angle(double sine, double cosine, double product) {
   const double folds = folded ? quarter : 0, sign = steep ? -1 : 1;
   const double half = (steep ? 2 * quarter : 0) + sign * (folds + atan);
   return std::copysign(2 * half, sine);
+}
+
+/// Least cosine that blunt_turning_angle takes: 60 degrees either way.
+inline constexpr double least_blunt_cosine = 0.5;
+
+/// The same for two unit vectors at no more than 60 degrees, half the work: theta = sin(theta) g(1 - cos(theta)) with g(w) =
+/// acos(1 - w)/sqrt(w (2 - w)), which is smooth, so that nothing is divided. Measured error: 3e-16.
+inline double blunt_turning_angle(double sine, double cosine) {
+  const double w = 1 - cosine, w2 = w * w, w4 = w2 * w2;
+  // Chebyshev interpolation on 0 <= w <= 1/2: relative error 5e-17. In parts, for short chains of operations.
+  const double a = multiply_add(multiply_add(0.057142857358995415, w, 0.13333333332908753), w2,
+                                multiply_add(0.3333333333333661, w, 1.0));
+  const double b = multiply_add(multiply_add(0.002492752247049941, w, 0.005327082707021123), w2,
+                                multiply_add(0.011544102029105635, w, 0.025396819672730327));
+  const double c = multiply_add(multiply_add(0.0004773708779307974, w, 3.431558141457508e-05), w2,
+                                multiply_add(0.000654516722174787, w, 0.0011398460185199327));
+  const double d = multiply_add(0.00018967032401237104, w, -0.00027179837089317155);
+  return sine * multiply_add(multiply_add(d, w4, c), w4 * w4, multiply_add(b, w4, a));
 }
 
 }  // namespace supple

@@ -1,0 +1,17 @@
+/// a b + c in one instruction where the processor has one.
+#pragma once
+#include <cmath>
+
+namespace supple {
+
+/// a b + c, rounded once where that is one instruction and else twice. The compiler may not choose (-ffp-contract=off), or the same
+/// formula would differ from loop to loop.
+inline double multiply_add(double a, double b, double c) {
+#ifdef __FMA__
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+}  // namespace supple
