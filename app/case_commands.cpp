@@ -33,7 +33,7 @@ std::set<std::string> first_keys(const Case& c) {
   if (experiment == "compression") return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
   if (experiment == "uniaxial_compression")
     return {"experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
-  if (experiment == "slump") return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "motion.damping"};
+  if (experiment == "slump") return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "slump.gravity"};
   return {"experiment",          "seed",
           "particles.N",         "particles.packing_fraction",
           "particles.cut_lines", "material.young_modulus",
@@ -149,7 +149,6 @@ void init(const std::string& experiment, const std::string& physics, const std::
     c.initial.state = "state.json";
   }
   c.given = first_keys(c);
-  if (experiment == "slump") c.motion.damping = 0.05;
   const std::string text = write_case(c, CaseStyle::commented);
   if (path == "-") {
     fmt::print("{}", text);

@@ -255,23 +255,5 @@ TEST(BodyDynamicsRun, GoesOnFromItsStateBitForBit) {
   EXPECT_EQ(rest.last_system.state.velocity, whole.last_system.state.velocity);
 }
 
-TEST(UniaxialCompression, RaisesTheForceOnTheWall) {
-  Case c = small_case({"shell", "shell", "rough"});
-  c.general.experiment = "uniaxial_compression";
-  c.uniaxial.packing_fraction = 0.6;
-  c.uniaxial.strain = 0.4;
-  c.uniaxial.step = 0.04;
-  MemoryRecorder recorder;
-  run_uniaxial_compression(c, nullptr, recorder);
-  const auto& table = recorder.tables.at("packing");
-  const std::vector<double> strain = table.column("strain"), force = table.column("wall_force"), syy = table.column("stress_yy");
-  ASSERT_EQ(strain.size(), 11u);
-  EXPECT_NEAR(strain.back(), 0.4, 1e-12);
-  EXPECT_GT(force.back(), 10 * std::max(force.front(), 1e-6));
-  // The upper wall bears the stress over its width.
-  const double width = recorder.last_system.box.length[flow], unit = recorder.get("constants", "pressure_unit");
-  EXPECT_NEAR(force.back() / width / unit, syy.back(), 1e-6 * syy.back());
-}
-
 }  // namespace
 }  // namespace supple

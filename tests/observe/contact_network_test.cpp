@@ -13,8 +13,11 @@
 namespace supple {
 namespace {
 
+using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::Lt;
 
 struct Found {
   std::vector<SiteContact> contacts;
@@ -161,6 +164,36 @@ TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
     EXPECT_NEAR(c.force[0], c.body == 0 ? -0.005 : 0.005, 1e-15) << "half of the law";
   }
   ASSERT_EQ(contact_network(system, contacts).pairs.size(), 1u);
+}
+
+/// A tip in a notch: two edges, less the corner that both have counted, are one contact as deep as the nearer edge says.
+TEST(ContactNetwork, ACornerThatIsTakenBackIsNoOverlap) {
+  System<2> system;
+  system.box.length = {20, 20};
+  const Vec2 at{5, 5};
+  const auto add = [&](std::vector<Vec2> ring) {
+    for (Vec2& x : ring) x += at;
+    const std::vector<double> rest(ring.size(), 1);
+    add_ring(system, ring, 0.1, {}, 1, rest, rest);
+  };
+  add({{-1, -1}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}});
+  add({{0, 0.15}, {0.5, 3}, {-0.5, 3}});
+  NeighborList<2>(default_skin, Meeting::facets).update(system);
+  SmoothContacts smooth(Harmonic{});
+  const auto records = smooth.records(system);
+  ASSERT_THAT(records, Contains(Field(&ContactRecord<2>::multiplicity, Lt(0))));
+  const double tip = 1 - 0.15 / std::sqrt(2) / 0.2, notch = 1 - 0.15 / 0.2;  // the notch also feels the tip
+  EXPECT_NEAR(mean_overlap(system, records, smooth.law()), (tip + notch) / 2, 1e-12);
+}
+
+TEST(ContactNetwork, DepthOfContactsOfDiscs) {
+  System<2> system = discs(10, {{1, 1}, {1.9, 1}, {5, 5}, {5.7, 5}});
+  NeighborList<2>().update(system);
+  RoughContacts rough(Harmonic{});
+  EXPECT_NEAR(mean_overlap(system, rough.records(system), rough.law()), 0.2, 1e-12);
+  system.state.position[2] = {8, 8};
+  system.state.position[1] = {3, 1};
+  EXPECT_EQ(mean_overlap(system, rough.records(system), rough.law()), 0);
 }
 
 TEST(ContactNetwork, WallsAreNeighbours) {

@@ -1,5 +1,6 @@
 #include "supple/experiment/body_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +12,11 @@ namespace supple {
 double body_time_step(const Case& c, Packing& packing, const InitialState* initial) {
   if (initial && !c.is_given("time.step") && !c.is_given("time.step_factor"))
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) return dt->second;
-  return c.time.time_step > 0 ? c.time.time_step : c.time.step_factor * default_step(packing.system, *packing.field);
+  if (c.time.time_step > 0) return c.time.time_step;
+  constexpr double when_damped = 0.3;  // of the stability limit
+  const bool damped = c.motion.damping > 0;
+  return c.time.step_factor * (damped ? default_step(packing.system, *packing.field, when_damped)
+                                      : default_step(packing.system, *packing.field));
 }
 
 std::optional<PlasticLaw> plastic_law(const Case& c) {
@@ -46,12 +51,22 @@ void draw_rigid_velocities(System<2>& system, double kinetic_energy, std::int64_
 
 }  // namespace
 
+void put_at_rest(System<2>& system) {
+  std::fill(system.state.velocity.begin(), system.state.velocity.end(), Vec2{});
+  std::fill(system.rigid.velocity.begin(), system.rigid.velocity.end(), Vec2{});
+  std::fill(system.rigid.spin.begin(), system.rigid.spin.end(), 0.0);
+  system.floor_contact.clear();
+  system.time = 0;
+  system.step = 0;
+}
+
 void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed) {
   State<2>& s = system.state;
   Vec2 total{};
   double mass = 0;
   for (int i = 0; i < s.size(); ++i) {
-    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_velocity, static_cast<std::uint64_t>(i));
+    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_velocity,
+                      static_cast<std::uint64_t>(i));
     // Box and Muller: two Gaussians, each with half of the energy.
     const double size = std::sqrt(-2 * std::log(1 - draw.uniform()) * kinetic_energy / s.mass[i]);
     const double angle = 2 * std::numbers::pi * draw.uniform();
@@ -78,7 +93,8 @@ std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& eval
   double height = 0;
   for (const Vec2& x : s.state.position) height += x[gradient] / s.state.size();
   const double moving = 2 * (kinetic - spin_energy(s));
-  const double p = 0.5 * (evaluation.virial[0][0] + evaluation.virial[1][1] + moving) / s.box.volume() / packing.pressure_unit;
+  const double p = 0.5 * (evaluation.virial[0][0] + evaluation.virial[1][1] + moving) / s.box.volume() /
+                   packing.pressure_unit;
   return {s.time, kinetic, potential, kinetic + potential, p, height};
 }
 

@@ -85,7 +85,7 @@ struct Bodies {
 
 struct Touch {
   std::string kind = "rough";
-  double k_c = 1, k_p = 4, floor_friction = 0;
+  double k_c = 1, k_p = 4, floor_friction = 0.1;
 };
 
 struct Minimisation {
@@ -107,16 +107,16 @@ struct Compression {
 };
 
 struct Uniaxial {
-  double strain = 0.2, step = 0.002, packing_fraction = 0.8, aspect_ratio = 1;
+  double strain = 0.2, step = 0.002, packing_fraction = 0.6, pressure = 1e-3, aspect_ratio = 1;
 };
 
 struct Slump {
-  double gravity = 1e-4, width = 6, drop_spacing = 1.1;
-  double settle_time = 2000, spread_time = 6000;
+  double gravity = 2e-4, width = 10, drop_spacing = 1.05;
+  double settle_time = 150, spread_time = 500, rest = 1e-8;  ///< times in sqrt(1/gravity)
 };
 
 struct Motion {
-  double damping = 0, kinetic_energy = 0;
+  double damping = 0, kinetic_energy = 0;  ///< damping of `slump`: see resolve_family
 };
 
 struct Output {
@@ -205,7 +205,8 @@ bool is_deformable(const Case& c);
 /// The sections that the case's experiment reads.
 std::vector<std::string> sections_of(const Case& c);
 
-/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1].
+/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given,
+/// lets a particle lose its velocity while it falls by its diameter.
 void resolve_family(Case& c);
 
 /// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).

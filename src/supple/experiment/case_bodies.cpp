@@ -1,4 +1,6 @@
 /// The sections of a case that describe deformable particles.
+#include <cmath>
+
 #include "supple/experiment/case.hpp"
 
 namespace supple {
@@ -87,7 +89,9 @@ const Fields<Uniaxial>& fields() {
   static const Fields<U> f{
       {"strain", &U::strain, "", "how far the upper wall comes down, over the height", {0, 0.9, true, false}},
       {"step", &U::step, "", "strain between two minimisations", {0, 0.1, true, false}},
-      {"packing_fraction", &U::packing_fraction, "", "before the compression", {0, 0.95, true, false}},
+      {"packing_fraction", &U::packing_fraction, "", "of the area between the walls at random positions", {0, 0.95, true, false}},
+      {"pressure", &U::pressure, "k_a a0",
+       "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid particles", not_negative},
       {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive},
   };
   return f;
@@ -99,9 +103,10 @@ const Fields<Slump>& fields() {
   static const Fields<S> f{
       {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive},
       {"width", &S::width, "mean particle diameter", "of the box in which the heap settles", at_least_one},
-      {"drop_spacing", &S::drop_spacing, "mean particle diameter", "between the particles before they fall", at_least_one},
-      {"settle_time", &S::settle_time, "", "before the right wall is taken away", positive},
-      {"spread_time", &S::spread_time, "", "after it", positive},
+      {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall", at_least_one},
+      {"settle_time", &S::settle_time, "sqrt(1/gravity)", "before the right wall is taken away, at most: less if all comes to rest", positive},
+      {"spread_time", &S::spread_time, "sqrt(1/gravity)", "after it, at most", positive},
+      {"rest", &S::rest, "", "kinetic energy of a heap at rest, over that of a fall of all by one diameter", positive},
   };
   return f;
 }
@@ -110,7 +115,7 @@ template <>
 const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
-      {"damping", &M::damping, "1/time", "drag -m damping v on every vertex", not_negative},
+      {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given", not_negative},
       {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start", not_negative},
   };
   return f;
@@ -146,6 +151,7 @@ void resolve_family(Case& c) {
     unless_given("k_l", b.k_l, 0.1);
     unless_given("gamma", b.gamma, 0.2);
   }
+  if (c.general.experiment == "slump" && !c.is_given("motion.damping")) c.motion.damping = std::sqrt(c.slump.gravity);
 }
 
 }  // namespace supple

@@ -96,7 +96,8 @@ void check_bodies(const Case& c, Problems& problems) {
 void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
   if (c.initial.state.empty() && c.initial.packing.empty()) return;
   for (const std::string key : {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction",
-                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction"})
+                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction",
+                                "uniaxial.packing_fraction", "uniaxial.pressure", "uniaxial.aspect_ratio"})
     if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 

@@ -57,16 +57,18 @@ void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
-/// Random positions in a square of side `length`, moved apart as soft discs of these radii until none overlap, or as far as can be.
-std::vector<Vec2> random_centres(const std::vector<double>& radius, double length, std::int64_t seed) {
+/// Random positions in the cell, moved apart and away from its walls, as soft discs of these radii, until none overlap or
+/// as far as can be.
+std::vector<Vec2> random_centres(const std::vector<double>& radius, const Box<2>& box, std::int64_t seed) {
   System<2> discs;
-  discs.box.length = {length, length};
+  discs.box = box;
   for (std::size_t k = 0; k < radius.size(); ++k) {
     RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_position, k);
-    const double x = draw.uniform(0, length);
-    add_disc_body(discs, {x, draw.uniform(0, length)}, 1.02 * radius[k]);
+    const double x = draw.uniform(0, box.length[0]);
+    add_disc_body(discs, {x, draw.uniform(0, box.length[1])}, 1.02 * radius[k]);
   }
   ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
+  field.set_walls({.repulsion = Harmonic{4, true}});
   BodyObjective objective(discs, field, {1e-3, 1e-8});
   std::vector<double> x = objective.coordinates();
   MinimiseSpec spec;
@@ -76,7 +78,13 @@ std::vector<Vec2> random_centres(const std::vector<double>& radius, double lengt
   return discs.state.position;
 }
 
-System<2> random_packing(const Case& c, double packing_fraction_wanted) {
+/// Of this shape of the cell: height over width, periodic or between walls. Its lengths follow from the packing fraction.
+struct Enclosure {
+  double aspect_ratio = 1;
+  std::array<bool, 2> periodic{true, true};
+};
+
+System<2> random_packing(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure = {}) {
   const int bodies = c.bodies.count + (has_polygons(c.bodies) ? c.bodies.discs : 0);
   System<2> sample;  // far apart, for sizes
   sample.box.length = {1e4 * bodies, 1e4 * bodies};
@@ -86,15 +94,22 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted) {
   for (double a : packing_fraction(sample, outline).area) area += a;
   std::vector<double> radius;
   for (int b = 0; b < bodies; ++b) radius.push_back(outer_radius(sample, b));
-  const double length = std::sqrt(area / packing_fraction_wanted), widest = 2 * *std::max_element(radius.begin(), radius.end());
-  if (length < 2 * widest)
-    throw input_error(fmt::format("{} particles at packing fraction {} in a periodic cell", bodies, packing_fraction_wanted),
-                      fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it would meet a neighbour on two sides",
-                                  length, widest),
+  Box<2> box;
+  box.periodic = enclosure.periodic;
+  const double width = std::sqrt(area / packing_fraction_wanted / enclosure.aspect_ratio);
+  box.length = {width, enclosure.aspect_ratio * width};
+  const double widest = 2 * *std::max_element(radius.begin(), radius.end());
+  const double least = box.periodic[0] ? 2 * widest : widest;
+  const double shorter = std::min(box.length[0], box.length[1]);
+  if (shorter < least)
+    throw input_error(fmt::format("{} particles at packing fraction {} in a {} cell", bodies, packing_fraction_wanted,
+                                  box.periodic[0] ? "periodic" : "walled"),
+                      fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it {}", shorter, widest,
+                                  box.periodic[0] ? "would meet a neighbour on two sides" : "does not fit in"),
                       "raise bodies.N");
-  const std::vector<Vec2> centre = random_centres(radius, length, c.general.seed);
+  const std::vector<Vec2> centre = random_centres(radius, box, c.general.seed);
   System<2> system;
-  system.box.length = {length, length};
+  system.box = box;
   for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
   if (const auto inside = bodies_inside_others(system); !inside.empty())
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
@@ -129,15 +144,20 @@ WallLaw wall_law(const Case& c) {
   return walls;
 }
 
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
+namespace {
+
+void check_initial(const InitialState* initial) {
   if (initial && initial->system.topology.begin.empty())
     throw input_error("the state to start from holds no bodies", "its discs are of the microgel model",
                       "start from a run of deformable particles, or from [bodies]");
   if (initial && initial->system.box.strain_rate != 0)
     throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
+}
+
+/// What the case says of these particles.
+Packing packing_of(const Case& c, System<2> system) {
   Packing p;
-  p.system = initial ? initial->system : random_packing(c, packing_fraction_wanted);
-  if (initial) give_stiffness(c, p.system);
+  p.system = std::move(system);
   p.field = make_body_field(c);
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   const Harmonic law = contact_law(c);
@@ -161,6 +181,35 @@ Packing make_packing(const Case& c, const InitialState* initial, double packing_
   p.tolerance.least = c.minimise.least_force > 0
                           ? c.minimise.least_force
                           : c.minimise.force_tolerance * c.jamming.pressure * p.pressure_unit * 2 * mean_radius(p.system);
+  return p;
+}
+
+/// The particles of a state with the stiffnesses of the case.
+System<2> given_system(const Case& c, const InitialState& initial) {
+  System<2> system = initial.system;
+  give_stiffness(c, system);
+  return system;
+}
+
+}  // namespace
+
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
+  check_initial(initial);
+  return packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
+}
+
+Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+                           double aspect_ratio) {
+  check_initial(initial);
+  if (initial && (initial->system.box.periodic[0] || initial->system.box.periodic[1]))
+    throw input_error("the state to start from is periodic",
+                      fmt::format("{} needs a box of walls", c.general.experiment),
+                      "start from a run between walls, or from [bodies]");
+  const Enclosure walled{aspect_ratio, {false, false}};
+  Packing p = packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
+  WallLaw walls = wall_law(c);
+  walls.floor_friction = 0;  // friction has no energy to minimise
+  p.field->set_walls(walls);
   return p;
 }
 

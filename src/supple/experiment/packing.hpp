@@ -28,6 +28,11 @@ struct Packing {
 /// packing that the case starts from. Input errors where the case asks for what cannot be.
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction);
 
+/// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there is room. The
+/// packing fraction is that of the area between the walls. A state to start from is taken with its box; input error where
+/// that is periodic.
+Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction, double aspect_ratio);
+
 /// The same for experiments that change the size of the cell. Input error where the state to start from is not periodic.
 Packing make_periodic_packing(const Case& c, const InitialState* initial);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "supple/experiment/frame.hpp"
+#include "supple/solve/body_dynamics.hpp"
 
 namespace supple {
 
@@ -26,6 +27,15 @@ double mean(const std::vector<double>& values) {
   double sum = 0;
   for (double v : values) sum += v;
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorder) {
+  if (r.inside > 0)
+    recorder.warning(fmt::format(
+        "{} particles have vertices inside another one: vertices have passed an edge; lower the step", r.inside));
+  if (progress.unconverged > 0)
+    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}", progress.unconverged,
+                                 progress.minimisations, progress.last.reason));
 }
 
 }  // namespace
@@ -85,7 +95,8 @@ std::vector<Column> packing_columns(const Packing& packing) {
 }
 
 std::vector<double> packing_row(const Packing& packing, const PackingReport& r, const JamProgress& work) {
-  const Mat2 stress = (1 / packing.pressure_unit) * r.stresses.virial();
+  const bool moves = work.minimisations == 0;
+  const Mat2 stress = (1 / packing.pressure_unit) * (moves ? r.stresses.total() : r.stresses.virial());
   return {r.fraction.total,
           pressure(stress),
           pressure(r.stresses.contact) / packing.pressure_unit,
@@ -110,29 +121,32 @@ Frame packing_frame(const Packing& packing, const PackingReport& r) {
   return frame;
 }
 
-void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder) {
+void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
+                    Surroundings surroundings) {
   const PackingReport r = report_packing(packing);
   recorder.frame(packing_frame(packing, r));
+  const bool moves = progress.minimisations == 0, open = surroundings == Surroundings::open;
+  const auto is_left_out = [&](const std::string& name) {
+    const bool of_cell = name == "packing_fraction" || name.find("pressure") != name.npos || name.starts_with("stress");
+    return (open && of_cell) || (moves && (name == "tolerance" || name == "evaluations"));
+  };
   const std::vector<Column> columns = packing_columns(packing);
   const std::vector<double> row = packing_row(packing, r, progress);
-  const bool minimised = progress.minimisations > 0;
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (minimised || (columns[k].name != "tolerance" && columns[k].name != "evaluations"))
-      recorder.value("results", columns[k], row[k]);
-  const auto number = [&](const char* name, const char* meaning, double value) { recorder.value("results", {name, "", meaning}, value); };
+    if (!is_left_out(columns[k].name)) recorder.value("results", columns[k], row[k]);
+  const auto number = [&](const char* name, const char* meaning, double value) {
+    recorder.value("results", {name, "", meaning}, value);
+  };
+  if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system));
   number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
-  number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs", r.constraints.excess());
+  if (!open) number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs", r.constraints.excess());
   number("mean_shape_parameter", "mean p^2/(4 pi a) of the particles", mean(r.shapes.shape_parameter));
-  if (minimised) {
+  if (!moves) {
     number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
     number("unconverged", "minimisations that stopped before the tolerance", static_cast<double>(progress.unconverged));
   }
-  if (r.inside > 0)
-    recorder.warning(fmt::format("{} particles have vertices inside another one: vertices have passed an edge; lower the step", r.inside));
-  if (progress.unconverged > 0)
-    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}", progress.unconverged,
-                                 progress.minimisations, progress.last.reason));
+  warn(r, progress, recorder);
   recorder.final_state(packing.system, r.evaluation);
 }
 

@@ -38,9 +38,14 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& rep
 /// The instant of the report: positions, forces, contacts, and of each body its pressure, shape, contacts.
 Frame packing_frame(const Packing& packing, const PackingReport& report);
 
-/// Results of a packing at rest, its last frame and its state. Warns of what the reader must know: bodies inside others, minimisations
-/// that did not converge.
-void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder);
+/// Closed: particles fill a cell. Open: they lie where there is room: neither a packing fraction nor a stress.
+enum class Surroundings { closed, open };
+
+/// Results of a packing, its last frame and its state. Warns of what the reader must know: bodies inside others,
+/// minimisations that did not converge. Without minimisations in `progress` the particles move: no work is recorded, and
+/// stresses have their kinetic part.
+void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
+                    Surroundings surroundings = Surroundings::closed);
 
 /// The state as it is, for a run that ends early.
 void hand_over(Packing& packing, Recorder& recorder);

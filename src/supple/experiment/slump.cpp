@@ -8,6 +8,7 @@
 #include "supple/core/random.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/heap.hpp"
 #include "supple/model/bodies.hpp"
 
 namespace supple {
@@ -23,39 +24,23 @@ std::vector<int> drawn_places(int n, std::int64_t seed) {
   return place;
 }
 
-/// A box of walls without a lid, and the particles above its floor, row over row, about to fall.
-Packing hanging_packing(const Case& c, const InitialState* initial) {
-  Packing p = make_packing(c, initial, 0.1);
-  System<2>& s = p.system;
+/// Particles in rows above the floor of a box of this width. Returns the height of the rows.
+double hang(System<2>& s, double width, double spacing, double widest, std::int64_t seed) {
   const int bodies = s.topology.body_count(s.state.size());
-  double widest = 0, mean = 0;
-  for (int b = 0; b < bodies; ++b) {
-    const double d = 2 * outer_radius(s, b);
-    widest = std::max(widest, d);
-    mean += d / bodies;
-  }
-  const double width = c.slump.width * mean, spacing = c.slump.drop_spacing * widest;
-  const int columns = std::max(1, static_cast<int>(width / spacing)), count = (bodies + columns - 1) / columns;
-  if (width < widest)
-    throw input_error(fmt::format("slump.width = {}", c.slump.width), "the widest particle does not fit between the walls", "raise it");
+  const int columns = std::max(1, static_cast<int>(width / spacing)), rows = (bodies + columns - 1) / columns;
   const double across = width / columns;
-  const std::vector<int> places = drawn_places(bodies, c.general.seed);  // or the large ones would all be on top
+  const std::vector<int> places = drawn_places(bodies, seed);  // or the large ones would all be on top
   for (int b = 0; b < bodies; ++b) {
-    const int place = places[static_cast<std::size_t>(b)];
+    const int column = places[b] % columns, row = places[b] / columns;
     // Rows are offset in turn, or they would balance on top of each other.
-    const double offset = (place / columns % 2 ? 0.1 : -0.1) * (across - widest);
-    const Vec2 at{(place % columns + 0.5) * across + offset, (place / columns + 0.5) * spacing};
-    move_body(s, b, at - body_centre(s, b));
+    const double offset = (row % 2 ? 0.1 : -0.1) * (across - widest);
+    move_body(s, b, Vec2{(column + 0.5) * across + offset, (row + 0.5) * spacing} - body_centre(s, b));
   }
-  s.box = {};
-  s.box.length = {width, (count + 1) * spacing};
-  s.box.periodic = {false, false};
   place_sites(s);
-  p.field->external().gravity = {0, -c.slump.gravity};
-  p.field->invalidate();
-  return p;
+  return rows * spacing;
 }
 
+/// The walls without a lid.
 WallLaw open_box(const Case& c, bool right_wall) {
   WallLaw walls = wall_law(c);
   walls.stands[gradient][1] = false;
@@ -63,95 +48,145 @@ WallLaw open_box(const Case& c, bool right_wall) {
   return walls;
 }
 
-/// Columns and numbers of the heap: how far it reaches, how high it is, and the slope of its surface.
-std::vector<Column> slump_columns(const Packing& packing) {
-  std::vector<Column> all = motion_columns(packing);
-  all.push_back({"front", "", "rightmost end of a particle"});
-  all.push_back({"top", "", "highest end of a particle"});
-  all.push_back({"slope", "", "of the line through the surface, downward to the right"});
-  return all;
+/// The particles, at rest, above the floor of the open box, about to fall. Those of a file fall anew: only
+/// what they are is kept.
+Packing hanging_packing(const Case& c, const InitialState* initial) {
+  Packing p = make_packing(c, initial, 0.1);
+  System<2>& s = p.system;
+  put_at_rest(s);
+  const double mean = mean_diameter(s), widest = widest_diameter(s), width = c.slump.width * mean;
+  if (width < widest)
+    throw input_error(fmt::format("slump.width = {}", c.slump.width),
+                      "the widest particle does not fit between the walls", "raise it");
+  s.box = {};
+  s.box.periodic = {false, false};
+  s.box.length = {width, hang(s, width, c.slump.drop_spacing * widest, widest, c.general.seed)};
+  p.field->external().gravity = {0, -c.slump.gravity};
+  p.field->set_walls(open_box(c, true));
+  p.field->invalidate();
+  return p;
 }
 
-/// Slope of the least-squares line through the highest points in columns of the width of a particle, downward to the right.
-double surface_slope(const System<2>& s) {
-  double front = 0, widest = 0;
-  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b) widest = std::max(widest, 2 * outer_radius(s, b));
-  for (int i = 0; i < s.state.size(); ++i) front = std::max(front, s.state.position[i][0] + s.state.radius[i]);
-  const int columns = std::max(2, static_cast<int>(front / widest));
-  std::vector<double> top(static_cast<std::size_t>(columns));
-  for (int i = 0; i < s.state.size(); ++i) {
-    const auto k = static_cast<std::size_t>(std::clamp(s.state.position[i][0] / front * columns, 0.0, columns - 1.0));
-    top[k] = std::max(top[k], s.state.position[i][1] + s.state.radius[i]);
-  }
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (int k = 0; k < columns; ++k) {
-    const double at = (k + 0.5) * front / columns, h = top[static_cast<std::size_t>(k)];
-    x += at / columns;
-    y += h / columns;
-    xx += at * at / columns;
-    xy += at * h / columns;
-  }
-  return -(xy - x * y) / (xx - x * x);
+/// Steps of a time that the case gives in units of sqrt(1/gravity).
+std::int64_t steps_of(const Case& c, double time, double dt) {
+  return std::max<std::int64_t>(1, std::llround(time / std::sqrt(c.slump.gravity) / dt));
 }
 
-std::vector<double> slump_row(const Packing& packing, const Evaluation<2>& evaluation) {
-  std::vector<double> row = motion_row(packing, evaluation);
-  const State<2>& s = packing.system.state;
-  double front = 0, top = 0;
-  for (int i = 0; i < s.size(); ++i) {
-    front = std::max(front, s.position[i][0] + s.radius[i]);
-    top = std::max(top, s.position[i][1] + s.radius[i]);
+/// A heap that moves, and what is recorded of it on the way.
+class MovingHeap {
+ public:
+  MovingHeap(const Case& c, Packing packing, Recorder& recorder)
+      : case_(c),
+        packing_(std::move(packing)),
+        recorder_(recorder),
+        dt_(body_time_step(c, packing_, nullptr)),
+        dynamics_(*packing_.field, c.motion.damping) {
+    dynamics_.set_plasticity(plastic_law(c));
+    const std::int64_t total = steps_of(c, c.slump.settle_time, dt_) + steps_of(c, c.slump.spread_time, dt_);
+    per_row_ = std::max<std::int64_t>(1, total / 1000);
+    per_frame_ = std::max<std::int64_t>(1, total / c.output.frames);
+    recorder_.declare("motion", heap_columns());
+    append();
   }
-  for (const double x : {front, top, surface_slope(packing.system)}) row.push_back(x);
-  return row;
-}
+
+  /// Until the particles are at rest, or the time is over.
+  void move(const std::string& phase, double time) {
+    const std::int64_t steps = steps_of(case_, time, dt_),
+                       least = steps_of(case_, std::min(time, time_to_start), dt_);
+    for (std::int64_t i = 0; i < steps; ++i) {
+      if (i % per_frame_ == 0) take_frame();
+      dynamics_.advance(packing_.system, dt_);
+      if (i % 256 == 0) recorder_.progress(phase, i, steps);
+      if (recorder_.stop_requested()) interrupt();
+      if ((i + 1) % per_row_ != 0) continue;
+      append();
+      if (i >= least && heap_.motion < case_.slump.rest) break;
+    }
+    append();
+  }
+
+  void take_right_wall_away() {
+    packing_.system.box.length[gradient] = 1.05 * heap_.top;  // without a lid the height is for pictures
+    take_frame();
+    packing_.field->set_walls(open_box(case_, false));
+    dynamics_.forces().set_walls(open_box(case_, false));
+    packing_.system.box.length[flow] *= 1.2;  // and from now on the width
+  }
+
+  /// Numbers of the heap as it is; a warning where it should be at rest and is not.
+  void record(const std::string& prefix, const std::string& when) {
+    for (const auto& [name, value] : heap_results(heap_))
+      recorder_.value("results", {prefix + name.name, name.unit, name.meaning + when}, value);
+    if (heap_.motion > case_.slump.rest)
+      recorder_.warning(fmt::format(
+          "the heap still moves{}: its kinetic energy is {:.1e} of what falling by a diameter gives", when,
+          heap_.motion));
+  }
+
+  void finish() {
+    widen_box();
+    record_packing(packing_, {}, recorder_, Surroundings::open);
+  }
+
+ private:
+  /// Before that even a heap that is about to fall hardly moves [sqrt(1/gravity)].
+  static constexpr double time_to_start = 10;
+
+  void take_frame() {
+    widen_box();
+    recorder_.frame(packing_frame(packing_, report_packing(packing_)));
+  }
+  /// Pictures show all of a heap that has spread.
+  void widen_box() {
+    if (!packing_.field->walls()->stands[flow][1])
+      packing_.system.box.length[flow] = std::max(packing_.system.box.length[flow], 1.05 * heap_.front);
+  }
+  void append() {
+    heap_ =
+        measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
+    recorder_.append("motion", heap_row(heap_));
+  }
+  [[noreturn]] void interrupt() {
+    hand_over(packing_, recorder_);
+    throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", packing_.system.step));
+  }
+
+  const Case& case_;
+  Packing packing_;
+  Recorder& recorder_;
+  double dt_;
+  BodyDynamics dynamics_;
+  std::int64_t per_row_ = 1, per_frame_ = 1;
+  Heap heap_;
+};
 
 }  // namespace
 
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
   Packing packing = hanging_packing(c, initial);
-  packing.field->set_walls(open_box(c, true));
   std::vector<Derived> all = derived_packing(packing);
   const double dt = body_time_step(c, packing, nullptr);
+  const std::int64_t most = steps_of(c, c.slump.settle_time, dt) + steps_of(c, c.slump.spread_time, dt);
   all.push_back({{"time_step", "", "time step"}, dt});
-  all.push_back({{"steps", "", "steps"}, std::ceil((c.slump.settle_time + c.slump.spread_time) / dt)});
+  all.push_back({{"steps", "", "steps at most"}, static_cast<double>(most)});
+  all.push_back({{"weight", "", "weight of all particles"}, weight(packing.system, *packing.field)});
+  all.push_back(
+      {{"floor_pressure", packing.pressure_symbol,
+        "their weight over the width of the box: the pressure at its floor"},
+       weight(packing.system, *packing.field) / packing.system.box.length[flow] / packing.pressure_unit});
   return all;
 }
 
 void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = hanging_packing(c, initial);
-  System<2>& s = packing.system;
-  packing.field->set_walls(open_box(c, true));
-  const double dt = body_time_step(c, packing, nullptr);
   begin_packing(packing, derive_slump(c, initial), recorder);
-  recorder.declare("motion", slump_columns(packing));
-  const std::int64_t settle = std::llround(c.slump.settle_time / dt), spread = std::llround(c.slump.spread_time / dt);
-  const std::int64_t total = settle + spread, per_row = std::max<std::int64_t>(1, total / 1000),
-             per_frame = std::max<std::int64_t>(1, total / c.output.frames);
-  BodyDynamics dynamics(*packing.field, c.motion.damping);
-  dynamics.set_plasticity(plastic_law(c));
-  for (std::int64_t i = 0; i <= total; ++i) {
-    if (i == settle) {
-      const std::vector<double> row = slump_row(packing, dynamics.evaluate(s, Detail::energies));
-      recorder.value("results", {"settled_front", "", "rightmost end of a particle before the wall is taken away"}, row[6]);
-      recorder.value("results", {"settled_slope", "", "slope of the surface before the wall is taken away"}, row[8]);
-      packing.field->set_walls(open_box(c, false));
-      dynamics.forces().set_walls(open_box(c, false));
-      s.box.length[flow] *= 3;  // nothing stands there: the width is for pictures
-    }
-    if (i % per_row == 0 || i == total) recorder.append("motion", slump_row(packing, dynamics.evaluate(s, Detail::energies)));
-    if (i % per_frame == 0 && i < total) recorder.frame(packing_frame(packing, report_packing(packing)));
-    if (i == total) break;
-    dynamics.advance(s, dt);
-    if (i % 256 == 0) recorder.progress(i < settle ? "settle" : "spread", i, total);
-    if (!recorder.stop_requested()) continue;
-    hand_over(packing, recorder);
-    throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", i + 1));
-  }
-  const std::vector<double> row = slump_row(packing, dynamics.evaluate(s, Detail::energies));
-  recorder.value("results", {"front", "", "rightmost end of a particle"}, row[6]);
-  recorder.value("results", {"slope", "", "slope of the surface, downward to the right"}, row[8]);
-  record_packing(packing, {}, recorder);
+  MovingHeap heap(c, std::move(packing), recorder);
+  heap.move("settle", c.slump.settle_time);
+  heap.record("settled_", " before the wall is taken away");
+  heap.take_right_wall_away();
+  heap.move("spread", c.slump.spread_time);
+  heap.record("", "");
+  heap.finish();
 }
 
 }  // namespace supple

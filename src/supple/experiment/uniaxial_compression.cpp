@@ -4,48 +4,70 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/model/bodies.hpp"
+#include "supple/observe/wall_forces.hpp"
 
 namespace supple {
 
 namespace {
 
-/// The packing in a box of four walls, of the wanted aspect ratio and packing fraction.
+/// Between four walls, as the case says or as a state was left; the strain counts from here.
 Packing boxed_packing(const Case& c, const InitialState* initial) {
-  // Walls keep vertices, not their discs' centres, out: the particles start in a smaller periodic cell, then the walls are put round it.
-  Packing p = make_packing(c, initial, c.uniaxial.packing_fraction);
-  System<2>& s = p.system;
-  const double stretch = std::sqrt(c.uniaxial.aspect_ratio);
-  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b) {
-    const Vec2 centre = body_centre(s, b);
-    Vec2 inside = centre, still{};
-    s.box.wrap(inside, still);
-    move_body(s, b, Vec2{inside[0] / stretch, inside[1] * stretch} - centre);
-  }
-  s.box.length = {s.box.length[0] / stretch, s.box.length[1] * stretch};
-  s.box.periodic = {false, false};
-  p.field->set_walls(wall_law(c));
-  p.field->invalidate();
+  Packing p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio);
+  put_at_rest(p.system);
   return p;
 }
 
-double force_on_upper_wall(const System<2>& s, const Evaluation<2>& evaluation) {
-  double sum = 0;
-  for (const SiteForce<2>& w : evaluation.wall)
-    if (s.state.position[w.site][gradient] > 0.5 * s.box.length[gradient]) sum -= w.force[gradient];
-  return sum;
+/// What the particles would cover if none overlapped [length^2].
+double lone_area(const Packing& packing) {
+  System<2> apart = packing.system;
+  const int bodies = apart.topology.body_count(apart.state.size());
+  double at = 0;
+  for (int b = 0; b < bodies; ++b) {
+    const double radius = outer_radius(apart, b);
+    at += 1.1 * radius;
+    move_body(apart, b, Vec2{at, 0} - body_centre(apart, b));
+    at += 1.1 * radius;
+  }
+  place_sites(apart);
+  apart.box.length = {at, 1};
+  return packing_fraction(apart, packing.outline).total * apart.box.volume();
 }
 
-std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r, const JamProgress& work, double strain) {
+std::vector<Column> uniaxial_columns(const Packing& packing) {
+  std::vector<Column> columns = packing_columns(packing);
+  columns.insert(columns.begin(),
+                 {"strain", "", "how far the upper wall has come down, over the first height"});
+  columns.push_back({"wall_force", "", "force of the particles on the upper wall"});
+  columns.push_back({"floor_force", "", "force of the particles on the lower wall"});
+  columns.push_back({"vertex_contacts", "", "vertices that touch another particle"});
+  columns.push_back({"contact_length", "",
+                     "vertices in contact per pair of particles that touch: 1 or 2 at a point, more on a facet"});
+  columns.push_back(
+      {"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"});
+  columns.push_back(
+      {"overlap_area", "", "share of the particles' area that lies in another one, or in a wall"});
+  columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a)"});
+  return columns;
+}
+
+std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r, const JamProgress& work,
+                                 double strain) {
   std::vector<double> row = packing_row(packing, r, work);
   row.insert(row.begin(), strain);
-  double overlap = 0, shape = 0;
-  for (const ContactRecord<2>& record : r.records) overlap -= record.gap / record.reach / static_cast<double>(r.records.size());
-  for (const double a : r.shapes.shape_parameter) shape += a / static_cast<double>(r.shapes.shape_parameter.size());
-  const double pairs = static_cast<double>(r.network.pairs.size()), sites = static_cast<double>(r.contacts.size());
-  for (const double x : {force_on_upper_wall(packing.system, r.evaluation), sites, pairs > 0 ? sites / pairs : 0, overlap, shape})
+  const WallForces walls = sum_wall_forces(r.evaluation.wall);
+  double shape = 0;
+  for (const double a : r.shapes.shape_parameter)
+    shape += a / static_cast<double>(r.shapes.shape_parameter.size());
+  const double pairs = static_cast<double>(r.network.pairs.size()),
+               sites = static_cast<double>(r.contacts.size());
+  const double covered = r.fraction.total * packing.system.box.volume();
+  for (const double x : {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
+                         mean_overlap(packing.system, r.records, packing.field->bodies()->law()),
+                         1 - covered / lone_area(packing), shape})
     row.push_back(x);
   return row;
 }
@@ -56,46 +78,71 @@ void lower_wall(System<2>& s, double height) {
   s.box.length[gradient] = height;
 }
 
+/// All walls together, until the pressure is the one before the compression.
+JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
+  JamSpec spec;
+  spec.pressure = c.uniaxial.pressure;
+  spec.step = 5e-3;
+  return jam(packing, spec, [&](const JamProgress& p) {
+    recorder.progress(
+        fmt::format("squeeze to P = {:.1e}, phi = {:.4f}", spec.pressure, p.state.packing_fraction), 0, 0);
+    return !recorder.stop_requested();
+  });
+}
+
+void count(JamProgress& work, const MinimiseReport& done) {
+  work.last = done;
+  ++work.minimisations;
+  work.evaluations += done.evaluations;
+  work.unconverged += !done.converged;
+}
+
+/// The course from the first to the last strain; a row of the table for each step, and frames.
+void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& recorder) {
+  const double height = packing.system.box.length[gradient];
+  const auto steps = std::max<std::int64_t>(1, std::llround(c.uniaxial.strain / c.uniaxial.step));
+  const std::int64_t every = std::max<std::int64_t>(1, steps / c.output.frames);
+  for (std::int64_t k = 0; k <= steps; ++k) {
+    const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
+    lower_wall(packing.system, height * (1 - strain));
+    count(work, relax(packing));
+    packing.system.time = strain;
+    const PackingReport report = report_packing(packing);
+    recorder.append("packing", uniaxial_row(packing, report, work, strain));
+    if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, report));
+    recorder.progress(fmt::format("strain {:.3f}", strain), k, steps);
+    if (recorder.stop_requested())
+      throw Error(ErrorKind::interrupted, fmt::format("interrupted at strain {:.4f}", strain));
+  }
+}
+
 }  // namespace
 
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
   std::vector<Derived> all = derived_packing(boxed_packing(c, initial));
-  all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"}, std::ceil(c.uniaxial.strain / c.uniaxial.step)});
+  all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"},
+                 std::ceil(c.uniaxial.strain / c.uniaxial.step)});
   return all;
 }
 
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = boxed_packing(c, initial);
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
-  std::vector<Column> columns = packing_columns(packing);
-  columns.insert(columns.begin(), {"strain", "", "how far the upper wall has come down, over the first height"});
-  columns.push_back({"wall_force", "", "force on the upper wall"});
-  columns.push_back({"vertex_contacts", "", "vertices that touch another particle"});
-  columns.push_back({"contact_length", "", "vertices in contact per pair of particles that touch: 2 at a point, more on a facet"});
-  columns.push_back({"mean_overlap", "diameter", "mean overlap of vertices or discs over the distance at which they touch"});
-  columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a)"});
-  recorder.declare("packing", columns);
-  const double height = packing.system.box.length[gradient];
-  const auto steps = std::max<std::int64_t>(1, std::llround(c.uniaxial.strain / c.uniaxial.step));
-  const std::int64_t every = std::max<std::int64_t>(1, steps / c.output.frames);
+  recorder.declare("packing", uniaxial_columns(packing));
   JamProgress work;
-  for (std::int64_t k = 0; k <= steps; ++k) {
-    const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
-    lower_wall(packing.system, height * (1 - strain));
-    work.last = relax(packing);
-    work.state = observe(packing);
-    ++work.minimisations;
-    work.evaluations += work.last.evaluations;
-    work.unconverged += !work.last.converged;
-    packing.system.time = strain;
-    const PackingReport report = report_packing(packing);
-    recorder.append("packing", uniaxial_row(packing, report, work, strain));
-    if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, report));
-    recorder.progress(fmt::format("strain {:.3f}", strain), k, steps);
-    if (!recorder.stop_requested()) continue;
+  try {
+    if (!initial && c.uniaxial.pressure > 0) work = squeeze(c, packing, recorder);
+    compress(c, packing, work, recorder);
+  } catch (const Error&) {
     hand_over(packing, recorder);
-    throw Error(ErrorKind::interrupted, fmt::format("interrupted at strain {:.4f}", strain));
+    throw;
   }
+  const PackingReport report = report_packing(packing);
+  const std::vector<Column> columns = uniaxial_columns(packing);
+  const std::vector<double> row = uniaxial_row(packing, report, work, c.uniaxial.strain);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (const char* name : {"wall_force", "contact_length", "mean_overlap", "overlap_area"})
+      if (columns[k].name == name) recorder.value("results", columns[k], row[k]);
   record_packing(packing, work, recorder);
 }
 

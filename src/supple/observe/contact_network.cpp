@@ -48,6 +48,18 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
   return contacts;
 }
 
+double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records, const Harmonic& law) {
+  const std::vector<BodyTouch> touches = sum_touches(system, records, law);
+  double sum = 0;
+  for (const BodyTouch& touch : touches) {
+    double depth = 0;  // a corner that is taken back (weight -1) is never nearer than the edges that end there
+    for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r)
+      depth = std::max(depth, -records[r].gap / records[r].reach);
+    sum += depth;
+  }
+  return touches.empty() ? 0 : sum / static_cast<double>(touches.size());
+}
+
 std::vector<std::int32_t> ContactNetwork::contacts_of_bodies() const {
   std::vector<std::int32_t> count = walls;
   for (const Pair& pair : pairs) ++count[pair.first], ++count[pair.second];

@@ -23,6 +23,10 @@ struct SiteContact {
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                        const Harmonic& law);
 
+/// Mean depth of these contacts: how much nearer a site is to the other body than where they meet, over that distance; 0
+/// without any.
+double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records, const Harmonic& law);
+
 /// The bodies that touch each other, or a wall. Two bodies that meet also through a second image (in a very small cell)
 /// are one pair.
 struct ContactNetwork {

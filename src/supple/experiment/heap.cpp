@@ -1,0 +1,117 @@
+#include "supple/experiment/heap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/model/bodies.hpp"
+#include "supple/solve/body_dynamics.hpp"
+
+namespace supple {
+
+namespace {
+
+std::vector<double> diameters(const System<2>& s) {
+  std::vector<double> out;
+  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b) out.push_back(2 * outer_radius(s, b));
+  return out;
+}
+
+/// Slope of the least-squares line through the highest points in columns as wide as the widest particle,
+/// downward to the right.
+double surface_slope(const System<2>& s, double front) {
+  const int columns = std::max(2, static_cast<int>(front / widest_diameter(s)));
+  std::vector<double> top(static_cast<std::size_t>(columns));
+  for (int i = 0; i < s.state.size(); ++i) {
+    const auto k =
+        static_cast<std::size_t>(std::clamp(s.state.position[i][flow] / front * columns, 0.0, columns - 1.0));
+    top[k] = std::max(top[k], s.state.position[i][gradient] + s.state.radius[i]);
+  }
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (int k = 0; k < columns; ++k) {
+    const double at = (k + 0.5) * front / columns, h = top[static_cast<std::size_t>(k)];
+    x += at / columns;
+    y += h / columns;
+    xx += at * at / columns;
+    xy += at * h / columns;
+  }
+  return -(xy - x * y) / (xx - x * x);
+}
+
+}  // namespace
+
+double mean_diameter(const System<2>& system) {
+  const std::vector<double> all = diameters(system);
+  double sum = 0;
+  for (const double d : all) sum += d;
+  return sum / static_cast<double>(all.size());
+}
+
+double widest_diameter(const System<2>& system) {
+  const std::vector<double> all = diameters(system);
+  return *std::max_element(all.begin(), all.end());
+}
+
+double weight(const System<2>& system, ForceField& field) {
+  double mass = 0;
+  for (const double m : system.state.mass) mass += m;
+  return -mass * field.external().gravity[gradient];
+}
+
+Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation) {
+  const State<2>& s = system.state;
+  Heap h;
+  h.time = system.time;
+  h.kinetic = kinetic_energy(system);
+  h.potential = evaluation.energy.stored();
+  double mass = 0;
+  for (int i = 0; i < s.size(); ++i) {
+    mass += s.mass[i];
+    h.height += s.mass[i] * s.position[i][gradient];
+    h.spread += 2 * s.mass[i] * s.position[i][flow];
+    h.front = std::max(h.front, s.position[i][flow] + s.radius[i]);
+    h.top = std::max(h.top, s.position[i][gradient] + s.radius[i]);
+  }
+  h.height /= mass;
+  h.spread /= mass;
+  h.slope = surface_slope(system, h.front);
+  const double w = weight(system, field);
+  h.walls = sum_wall_forces(evaluation.wall);
+  for (double* force : {&h.walls.left, &h.walls.right, &h.walls.floor, &h.walls.lid, &h.walls.drag})
+    *force /= w;
+  h.motion = h.kinetic / (w * mean_diameter(system));
+  return h;
+}
+
+std::vector<Column> heap_columns() {
+  return {{"time", "", "time"},
+          {"kinetic_energy", "", "kinetic energy"},
+          {"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
+          {"total_energy", "", "their sum"},
+          {"height", "", "mean height of the mass"},
+          {"front", "", "rightmost end of a particle"},
+          {"top", "", "highest end of a particle"},
+          {"spread", "", "twice the mean distance of the mass from the left wall"},
+          {"slope", "", "of the line through the surface, downward to the right"},
+          {"floor_force", "weight", "upward force of the floor; 1 at rest"},
+          {"left_force", "weight", "force of the left wall, to the right"},
+          {"right_force", "weight", "force of the right wall, to the left"},
+          {"drag", "weight", "friction of the floor, to the right; at rest all three add to 0"}};
+}
+
+std::vector<double> heap_row(const Heap& h) {
+  return {h.time,      h.kinetic, h.potential, h.kinetic + h.potential, h.height,     h.front,
+          h.top,       h.spread,  h.slope,     h.walls.floor,           h.walls.left, h.walls.right,
+          h.walls.drag};
+}
+
+std::vector<std::pair<Column, double>> heap_results(const Heap& h) {
+  return {{{"time", "", "time"}, h.time},
+          {{"front", "", "rightmost end of a particle"}, h.front},
+          {{"top", "", "highest end of a particle"}, h.top},
+          {{"spread", "", "twice the mean distance of the mass from the left wall"}, h.spread},
+          {{"slope", "", "slope of the surface, downward to the right,"}, h.slope},
+          {{"floor_force", "weight", "upward force of the floor"}, h.walls.floor},
+          {{"motion", "", "kinetic energy over that of a fall by one diameter"}, h.motion}};
+}
+
+}  // namespace supple

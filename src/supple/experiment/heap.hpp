@@ -1,0 +1,39 @@
+/// A heap of particles under gravity on a floor: its shape, and what bears it.
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "supple/experiment/recorder.hpp"
+#include "supple/force/force_field.hpp"
+#include "supple/observe/wall_forces.hpp"
+
+namespace supple {
+
+struct Heap {
+  double time = 0, kinetic = 0, potential = 0;
+  double height = 0;          ///< of the mass, in the mean [length]
+  double front = 0, top = 0;  ///< rightmost and highest end of a particle [length]
+  double spread =
+      0;  ///< twice the mean distance of the mass from the left wall: the width of a heap that is flat
+  double slope = 0;   ///< of the line through the surface, downward to the right
+  WallForces walls;   ///< [weight of all particles]
+  double motion = 0;  ///< kinetic energy over that of a fall of all particles by their mean diameter
+};
+
+/// The instant of `evaluation`. Needs gravity.
+Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
+
+/// Its table.
+std::vector<Column> heap_columns();
+std::vector<double> heap_row(const Heap& heap);
+/// What a run says of it at the end.
+std::vector<std::pair<Column, double>> heap_results(const Heap& heap);
+
+/// Weight of all sites [force].
+double weight(const System<2>& system, ForceField& field);
+
+/// Of the circles round the bodies (outer_radius) [length].
+double mean_diameter(const System<2>& system);
+double widest_diameter(const System<2>& system);
+
+}  // namespace supple
