@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Families, JammingOf,
                                            Family{"smooth_shell", "shell", "smooth"}, Family{"smooth_droplet", "droplet", "smooth"},
                                            Family{"disc", "disc", "rough"}, Family{"rough_disc", "rough_disc", "rough"},
                                            Family{"mixed", "shell", "rough", 0, 4, 2}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& given) { return std::string(given.param.name); });
 
 TEST(Jamming, ChapterAndRootSearchEndInTheSameWindow) {
   Case c = small_case({"disc", "disc", "rough"});

@@ -19,7 +19,7 @@ std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   std::vector<Derived> all = derived_packing(packing);
-  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing, initial)});
+  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing, initial, conserving_step)});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
   return all;
 }
@@ -28,7 +28,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   System<2>& s = packing.system;
   if (!initial && c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
-  const double dt = body_time_step(c, packing, initial);
+  const double dt = body_time_step(c, packing, initial, conserving_step);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
   begin_packing(packing, derive_body_dynamics(c, initial), recorder);

@@ -9,14 +9,11 @@
 
 namespace supple {
 
-double body_time_step(const Case& c, Packing& packing, const InitialState* initial) {
+double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit) {
   if (initial && !c.is_given("time.step") && !c.is_given("time.step_factor"))
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) return dt->second;
-  if (c.time.time_step > 0) return c.time.time_step;
-  constexpr double when_damped = 0.3;  // of the stability limit
-  const bool damped = c.motion.damping > 0;
-  return c.time.step_factor * (damped ? default_step(packing.system, *packing.field, when_damped)
-                                      : default_step(packing.system, *packing.field));
+  return c.time.time_step > 0 ? c.time.time_step
+                              : c.time.step_factor * default_step(packing.system, *packing.field, of_limit);
 }
 
 std::optional<PlasticLaw> plastic_law(const Case& c) {

@@ -7,10 +7,9 @@
 
 namespace supple {
 
-/// Step of the case, or that of the run to go on from, so that the bits are the same; else the default one
-/// times step_factor: a small fraction of the stability limit where energy is to be conserved, 0.3 of it
-/// where it is damped away.
-double body_time_step(const Case& c, Packing& packing, const InitialState* initial);
+/// Step of the case, or that of the run to go on from, so that the bits are the same; else `of_limit` of the
+/// stability limit times step_factor.
+double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit);
 
 /// How preferred shapes flow, where the case says that they do.
 std::optional<PlasticLaw> plastic_law(const Case& c);

@@ -79,7 +79,7 @@ class MovingHeap {
       : case_(c),
         packing_(std::move(packing)),
         recorder_(recorder),
-        dt_(body_time_step(c, packing_, nullptr)),
+        dt_(body_time_step(c, packing_, nullptr, damped_step)),
         dynamics_(*packing_.field, c.motion.damping) {
     dynamics_.set_plasticity(plastic_law(c));
     const std::int64_t total = steps_of(c, c.slump.settle_time, dt_) + steps_of(c, c.slump.spread_time, dt_);
@@ -165,7 +165,7 @@ class MovingHeap {
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
   Packing packing = hanging_packing(c, initial);
   std::vector<Derived> all = derived_packing(packing);
-  const double dt = body_time_step(c, packing, nullptr);
+  const double dt = body_time_step(c, packing, nullptr, damped_step);
   const std::int64_t most = steps_of(c, c.slump.settle_time, dt) + steps_of(c, c.slump.spread_time, dt);
   all.push_back({{"time_step", "", "time step"}, dt});
   all.push_back({{"steps", "", "steps at most"}, static_cast<double>(most)});

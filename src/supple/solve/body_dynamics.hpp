@@ -59,11 +59,14 @@ Vec2 momentum(const System<2>& system);
 /// (1942); for shells within 12 % of the frequency itself.
 double frequency_bound(System<2>& system, ForceField& forces);
 
+/// Fractions of the stability limit: for energy that is to be conserved, and for motion toward a minimum.
+constexpr double conserving_step = 0.02, damped_step = 0.3;
+
 /// A time step [time]: this fraction of the stability limit 2/omega of Verlet's method, omega by frequency_bound. Where
 /// contacts open and close their stiffness jumps, and the energy makes a small random walk that grows with about the
 /// fourth power of the step. At the default it stays within 5e-6 of itself over 1e5 steps (16 polygons of any family,
 /// rigid ones too, packing fraction 0.6 and 0.8, kinetic energies 1e-6 to 1e-3 per vertex); smooth discs, whose
-/// contacts are their only forces, reach 3e-4. Damped motion toward a minimum bears 0.3. Input error where nothing acts.
-double default_step(System<2>& system, ForceField& forces, double fraction = 0.02);
+/// contacts are their only forces, reach 3e-4. Input error where nothing acts.
+double default_step(System<2>& system, ForceField& forces, double fraction = conserving_step);
 
 }  // namespace supple
