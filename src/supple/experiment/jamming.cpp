@@ -16,12 +16,12 @@ JamSpec jam_spec(const Case& c) {
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
   const Packing packing = make_periodic_packing(c, initial);
-  return derived_packing(packing);
+  return derived_equilibria(packing);
 }
 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_periodic_packing(c, initial);
-  begin_packing(packing, derived_packing(packing), recorder);
+  begin_packing(packing, derived_equilibria(packing), recorder);
   recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
                                {"pressure", packing.pressure_symbol, "full virial pressure (9.26)"},
                                {"contact_pressure", packing.pressure_symbol, "pressure by contacts alone"},

@@ -47,9 +47,14 @@ std::vector<Derived> derived_packing(const Packing& packing) {
           {{"cell_width", "", "width of the cell at the start"}, s.box.length[flow]},
           {{"cell_height", "", "height of the cell at the start"}, s.box.length[gradient]},
           {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / s.box.volume()},
-          {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit},
-          {{"force_tolerance", "mean contact force", "largest net force in equilibrium"}, packing.tolerance.relative},
-          {{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least}};
+          {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
+}
+
+std::vector<Derived> derived_equilibria(const Packing& packing) {
+  std::vector<Derived> all = derived_packing(packing);
+  all.push_back({{"force_tolerance", "mean contact force", "largest net force in equilibrium"}, packing.tolerance.relative});
+  all.push_back({{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least});
+  return all;
 }
 
 void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {

@@ -11,6 +11,8 @@ namespace supple {
 
 /// Numbers that are known before the run.
 std::vector<Derived> derived_packing(const Packing& packing);
+/// The same for experiments that minimise, with what they call equilibrium.
+std::vector<Derived> derived_equilibria(const Packing& packing);
 
 /// Begins the run: sizes, bodies, constants.
 void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);

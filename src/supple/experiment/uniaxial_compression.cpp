@@ -119,7 +119,7 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
 }  // namespace
 
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_packing(boxed_packing(c, initial));
+  std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial));
   all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"},
                  std::ceil(c.uniaxial.strain / c.uniaxial.step)});
   return all;
