@@ -1,5 +1,6 @@
 #include "supple/contact/rough_contacts.hpp"
 
+#include "supple/core/parallel.hpp"
 #include "tests/support/field_check.hpp"
 #include "tests/support/polygons.hpp"
 
@@ -47,6 +48,21 @@ TEST(RoughContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
   EXPECT_NEAR(out.energy.elastic, 0.25, 1e-12);
   EXPECT_NEAR(out.force[0][0], 1, 1e-12);
   EXPECT_NEAR(out.force[1][0], -1, 1e-12);
+}
+
+TEST(RoughContacts, GiveTheSameBitsForOneAndTwoThreads) {
+  System<2> system = testing::random_polygons({.bodies = 900});
+  ForceField field(std::make_shared<RoughContacts>(Harmonic{1.5, true}));
+  Evaluation<2> one, two;
+  field.evaluate(system, Detail::energies, one);
+  thread_count() = 2;
+  ASSERT_GE(chunk_count(system.state.size()), 4);  // or it would not be threaded
+  field.evaluate(system, Detail::energies, two);
+  thread_count() = 1;
+  ASSERT_GT(field.bodies()->records(system).size(), 100u);
+  EXPECT_EQ(one.force, two.force);
+  EXPECT_EQ(one.energy.elastic, two.energy.elastic);
+  EXPECT_EQ(one.virial[0][1], two.virial[0][1]);
 }
 
 }  // namespace

@@ -222,21 +222,8 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
   out.energy += total.energy;
   out.virial += total.virial;
   if (serial) return;
-  index_back_rows(pairs, system.state.size());
+  back_rows_.update(pairs, system.state.size());
   gather(system, out);
-}
-
-void DiscContacts::index_back_rows(const PairTable& pairs, int sites) {
-  if (indexed_version_ == pairs.version && static_cast<int>(back_begin_.size()) == sites + 1 &&
-      back_row_.size() == static_cast<std::size_t>(pairs.size()))
-    return;
-  back_begin_.assign(static_cast<std::size_t>(sites) + 1, 0);
-  for (std::int32_t j : pairs.second) ++back_begin_[j + 1];
-  for (int i = 0; i < sites; ++i) back_begin_[i + 1] += back_begin_[i];
-  std::vector<std::int32_t> next(back_begin_.begin(), back_begin_.end() - 1);
-  back_row_.resize(static_cast<std::size_t>(pairs.size()));
-  for (int row = 0; row < pairs.size(); ++row) back_row_[next[pairs.second[row]]++] = row;
-  indexed_version_ = pairs.version;
 }
 
 /// Each site adds its contacts in ascending order of the partner, as the serial scatter does: the same bits.
@@ -245,11 +232,11 @@ void DiscContacts::gather(const System<2>& system, Evaluation<2>& out) const {
   const std::vector<double>& radius = system.state.radius;
   for_chunks(system.state.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (std::int32_t i = static_cast<std::int32_t>(begin); i < end; ++i) {
-      for (std::int32_t k = back_begin_[i]; k < back_begin_[i + 1]; ++k) {
-        const PairForce<2>& p = out.pair[back_row_[k]];
+      for (const std::int32_t row : back_rows_.of(i)) {
+        const PairForce<2>& p = out.pair[row];
         if (!p.active) continue;
         out.force[i] -= force_on_first(p);
-        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[back_row_[k]]] + radius[i]);
+        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[row]] + radius[i]);
       }
       for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) {
         const PairForce<2>& p = out.pair[row];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "supple/contact/back_rows.hpp"
 #include "supple/contact/laws/list.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/model/evaluation.hpp"
@@ -27,13 +28,11 @@ class DiscContacts {
  private:
   template <class R>
   void fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
-  void index_back_rows(const PairTable& pairs, int sites);
   void gather(const System<2>& system, Evaluation<2>& out) const;
 
   Repulsion repulsion_;
   DiscLaw law_;
-  std::vector<std::int32_t> back_begin_, back_row_;  ///< rows in which a site is second, in ascending order
-  std::uint64_t indexed_version_ = 0;
+  BackRows back_rows_;
 };
 
 }  // namespace supple

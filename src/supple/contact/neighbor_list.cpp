@@ -221,17 +221,22 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const double slack = skin_ - (std::abs(strain_change) + largest_growth) * reach_;
   if (!(slack > 0)) return true;
   const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
-  const auto images = box.images();
-  std::int64_t within = 0;
-  for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
-    Vec<Dim> u = system.state.position[i];
-    for (int d = 0; d < Dim; ++d) u[d] -= growth[d] * position_at_build_[i][d];
-    u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
-    images.reduce(u);
-    within += dot(u, u) <= limit;
-  }
-  // A position that is not a number is not within, either.
-  return within != static_cast<std::int64_t>(position_at_build_.size());
+  // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped: the nearest image is
+  // asked for only where it matters.
+  const auto within = [&](const auto& nearest) {
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
+      Vec<Dim> u = system.state.position[i];
+      for (int d = 0; d < Dim; ++d) u[d] -= growth[d] * position_at_build_[i][d];
+      u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
+      nearest(u);
+      count += dot(u, u) <= limit;
+    }
+    return count;
+  };
+  const auto all = static_cast<std::int64_t>(position_at_build_.size());
+  if (within([](Vec<Dim>&) {}) == all) return false;
+  return within([images = box.images()](Vec<Dim>& u) { images.reduce(u); }) != all;
 }
 
 /// Radii within which sites may meet something: their own, and half of the longest facet there.

@@ -17,25 +17,24 @@ struct RoughContacts::Sum {
   }
 };
 
-template <bool energies>
-void RoughContacts::add_rows(const System<2>& system, int begin, int end, const std::vector<Vec2>& shifts, Evaluation<2>& out,
-                             Sum& sum) {
+/// visit(row, push) for each row of [begin, end) that touches, in order; push: the force on the second site.
+template <bool energies, class Visit>
+void RoughContacts::for_touching(const System<2>& system, int begin, int end, Sum& sum, const Visit& visit) const {
   const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(), *image = images_.index().data();
-  const Vec2* position = system.state.position.data();
+  const Vec2 *position = system.state.position.data(), *shifts = shifts_.data();
   const double* radius = system.state.radius.data();
-  Vec2* force = out.force.data();
   const Harmonic law_here = law();
   for (int row = begin; row < end; ++row) {
     const std::int32_t i = first[row], j = second[row];
     const Vec2 shift = shifts[image[row]];
     Vec2 r{position[j][0] - position[i][0] - shift[0], position[j][1] - position[i][1] - shift[1]};
     const double sigma = radius[i] + radius[j], square = dot(r, r);
+    // Measured: a batch that need not guess whether rows touch gains nothing, as gathering it costs as much.
     if (!(square < sigma * sigma)) continue;
     double distance = std::sqrt(square), per_distance = 1 / distance;
     if (distance == 0) r = arbitrary_direction<2>(i, j), per_distance = 1;
-    const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;  // on the second
-    force[i] -= push;
-    force[j] += push;
+    const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;
+    visit(row, push);
     if constexpr (energies) {
       sum.energy += law_here.energy(distance, sigma);
       if (distance > 0) sum.virial.add_outer(1, push, r);
@@ -43,12 +42,48 @@ void RoughContacts::add_rows(const System<2>& system, int begin, int end, const 
   }
 }
 
+template <bool energies>
+RoughContacts::Sum RoughContacts::add_all(const System<2>& system, Evaluation<2>& out) {
+  const PairTable& pairs = system.pairs;
+  const int sites = system.state.size();
+  const bool serial = thread_count() == 1 || chunk_count(sites) < 2 * thread_count();
+  if (!serial) push_.assign(static_cast<std::size_t>(pairs.size()), Vec2{});
+  const Sum total = sum_chunks<Sum>(sites, [&](std::int64_t begin, std::int64_t end) {
+    Sum sum;
+    const auto scatter = [&, first = pairs.first.data(), second = pairs.second.data(), force = out.force.data()](int row, const Vec2& push) {
+      force[first[row]] -= push;
+      force[second[row]] += push;
+    };
+    const auto keep = [&](int row, const Vec2& push) { push_[row] = push; };
+    if (serial) for_touching<energies>(system, pairs.begin[begin], pairs.begin[end], sum, scatter);
+    else for_touching<energies>(system, pairs.begin[begin], pairs.begin[end], sum, keep);
+    return sum;
+  });
+  if (!serial) gather(pairs, sites, out);
+  return total;
+}
+
+/// Each site adds its contacts in ascending order of the partner, as the serial scatter does: the same bits.
+void RoughContacts::gather(const PairTable& pairs, int sites, Evaluation<2>& out) {
+  back_rows_.update(pairs, sites);
+  for_chunks(sites, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    for (auto i = static_cast<std::int32_t>(begin); i < end; ++i) {
+      for (const std::int32_t row : back_rows_.of(i))
+        if (!(push_[row] == Vec2{})) out.force[i] += push_[row];
+      for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row)
+        if (!(push_[row] == Vec2{})) out.force[i] -= push_[row];
+    }
+  });
+}
+
 void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
   images_.update(system);
-  const std::vector<Vec2>& shifts = images_.shifts(system.box);
-  Sum sum;
-  if (detail == Detail::forces) return add_rows<false>(system, 0, system.pairs.size(), shifts, out, sum);
-  add_rows<true>(system, 0, system.pairs.size(), shifts, out, sum);
+  shifts_ = images_.shifts(system.box);
+  if (detail == Detail::forces) {
+    add_all<false>(system, out);
+    return;
+  }
+  const Sum sum = add_all<true>(system, out);
   out.energy.elastic += sum.energy;
   out.virial += sum.virial;
 }

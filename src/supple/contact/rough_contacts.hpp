@@ -1,11 +1,13 @@
 /// Rough contacts: vertices are discs that repel those of other bodies.
 #pragma once
+#include "supple/contact/back_rows.hpp"
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/row_images.hpp"
 
 namespace supple {
 
-/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2. Bodies of one site are smooth discs.
+/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2. Bodies of one site are smooth discs. Same bits
+/// for any number of threads.
 class RoughContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
@@ -15,10 +17,16 @@ class RoughContacts final : public BodyContacts {
 
  private:
   struct Sum;
+  template <bool energies, class Visit>
+  void for_touching(const System<2>& system, int begin, int end, Sum& sum, const Visit& visit) const;
   template <bool energies>
-  void add_rows(const System<2>& system, int begin, int end, const std::vector<Vec2>& shifts, Evaluation<2>& out, Sum& sum);
+  Sum add_all(const System<2>& system, Evaluation<2>& out);
+  void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
   RowImages<2> images_;
+  std::vector<Vec2> shifts_;
+  BackRows back_rows_;
+  std::vector<Vec2> push_;  ///< of each row on its second site, with several threads
 };
 
 }  // namespace supple

@@ -28,7 +28,7 @@ class ForceField {
     neighbors_.update(system);
     const auto n = static_cast<std::size_t>(system.state.size());
     out.force.assign(n, Vec2{});
-    out.torque.assign(n, 0.0);
+    if (!bodies_ || out.torque.size() != n) out.torque.assign(n, 0.0);  // nothing that acts on bodies of many sites makes torques
     out.wall.clear();
     out.energy = {};
     out.virial = {};

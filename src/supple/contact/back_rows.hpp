@@ -1,0 +1,35 @@
+/// The rows of a pair table by their second site.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "supple/model/pair_table.hpp"
+
+namespace supple {
+
+/// Rows are sorted by their first site; a site that gathers its contacts also needs those in which it is the second one.
+class BackRows {
+ public:
+  /// Finds them again if the rows have changed.
+  void update(const PairTable& pairs, int sites) {
+    if (version_ == pairs.version && static_cast<int>(begin_.size()) == sites + 1 &&
+        row_.size() == static_cast<std::size_t>(pairs.size()))
+      return;
+    begin_.assign(static_cast<std::size_t>(sites) + 1, 0);
+    for (std::int32_t j : pairs.second) ++begin_[j + 1];
+    for (int i = 0; i < sites; ++i) begin_[i + 1] += begin_[i];
+    std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
+    row_.resize(static_cast<std::size_t>(pairs.size()));
+    for (int row = 0; row < pairs.size(); ++row) row_[next[pairs.second[row]]++] = row;
+    version_ = pairs.version;
+  }
+  /// Of site i, in ascending order of the first site.
+  std::span<const std::int32_t> of(std::int32_t i) const { return {row_.data() + begin_[i], row_.data() + begin_[i + 1]}; }
+
+ private:
+  std::vector<std::int32_t> begin_, row_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace supple
