@@ -67,4 +67,17 @@ double nanoseconds_of_divisions(int divisions) {
   return divisions * 1e9 * seconds / (static_cast<double>(rounds) * lanes);
 }
 
+double nanoseconds_of_operations(double operations) {
+  // Twelve independent chains of whole registers, to fill the pipelines.
+  typedef double Register __attribute__((vector_size(64)));
+  constexpr int chains = 12, rounds = 20'000;
+  Register x[chains] = {};
+  const double seconds = best_seconds([&] {
+    for (int round = 0; round < rounds; ++round)
+      for (int c = 0; c < chains; ++c) x[c] = x[c] * 0.5;
+    use(x);
+  });
+  return operations * 1e9 * seconds / (static_cast<double>(rounds) * chains * 8);
+}
+
 }  // namespace supple::bench

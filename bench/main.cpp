@@ -12,6 +12,7 @@
 #include "bench/lammps.hpp"
 #include "bench/machine.hpp"
 #include "bench/packings.hpp"
+#include "bench/shells.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/observe/stress.hpp"
 
@@ -182,6 +183,9 @@ int main(int argc, char** argv) {
     print_limit(comparison.supple);
   }
   if (wants("run")) print_default_run(comparison.lammps / lammps_published);
-  if (wants("shells")) print_shells();
+  if (wants("shells")) {
+    print_shells(comparison.lammps / lammps_published);
+    print_shell_sizes();
+  }
   if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
 }

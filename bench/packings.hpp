@@ -1,10 +1,11 @@
-/// Packings of deformable particles: what an evaluation costs, and how long jamming takes.
+/// Packings of deformable particles: how long jamming takes.
 #pragma once
+#include "supple/experiment/case.hpp"
 
 namespace supple::bench {
 
-/// Time of a force evaluation per vertex, and of its parts, for these shells of 20 vertices.
-void print_shells();
+/// Shells as the published tasks have them: all energies relative, large particles with more vertices.
+Case shell_case(int count, int vertices);
 
 /// Jamming tasks A, B, C and E, three seeds each, beside the published times; `slower` is how many times slower this machine is than
 /// the one of those (0: unknown).
