@@ -44,7 +44,8 @@ TEST(ContactNetwork, HexagonalDiscsHaveSixNeighboursAndTooManyContacts) {
   System<2> system;
   system.box.length = {6, 6 * height};
   for (int row = 0; row < 6; ++row)
-    for (int column = 0; column < 6; ++column) add_disc_body(system, {column + 0.5 * (row % 2), row * height}, 0.501);
+    for (int column = 0; column < 6; ++column)
+      add_disc_body(system, {column + 0.5 * (row % 2), row * height}, 0.501);
   const Found found = find(system);
   EXPECT_THAT(found.network.contacts_of_bodies(), Each(6));
   EXPECT_THAT(find_rattlers(found.network), Each(0));
@@ -59,8 +60,8 @@ TEST(ContactNetwork, HexagonalDiscsHaveSixNeighboursAndTooManyContacts) {
 }
 
 TEST(ContactNetwork, RattlersTakeOthersWithThem) {
-  // A chain 0 - 1 - 2 that hangs on a tetrad 3..6 of unequal discs in contact each with each (three round a small one),
-  // and 7 alone.
+  // A chain 0 - 1 - 2 that hangs on a tetrad 3..6 of unequal discs in contact each with each (three round a
+  // small one), and 7 alone.
   const double r = 2 / std::sqrt(3.) - 1;  // fits between three touching unit discs
   System<2> system;
   system.box.length = {30, 30};
@@ -96,7 +97,8 @@ TEST(ContactNetwork, BodiesOfManySitesCountOnceAPair) {
   system.box.length = {10, 10};
   for (int b = 0; b < 2; ++b) {
     const double x = 9.2 + 1.19 * b;  // sticks out of the cell
-    add_ring(system, {{x, 3}, {x + 1, 3}, {x + 1, 4}, {x, 4}}, 0.1, {1, 1, 0, 0}, 1, {1, 1, 1, 1}, {0, 0, 0, 0});
+    add_ring(system, {{x, 3}, {x + 1, 3}, {x + 1, 4}, {x, 4}}, 0.1, {1, 1, 0, 0}, 1, {1, 1, 1, 1},
+             {0, 0, 0, 0});
   }
   for (Vec2& x : {std::ref(system.state.position[4]), std::ref(system.state.position[5]),
                   std::ref(system.state.position[6]), std::ref(system.state.position[7])})
@@ -114,8 +116,8 @@ TEST(ContactNetwork, BodiesOfManySitesCountOnceAPair) {
   EXPECT_THAT(find_rattlers(found.network), ElementsAre(1, 1));
 }
 
-/// Two edges that reach over each other, and the corner between them taken back, are one contact; its far site is the
-/// one with most of it.
+/// Two edges that reach over each other, and the corner between them taken back, are one contact; its far
+/// site is the one with most of it.
 TEST(ContactNetwork, RecordsOfOneSiteAgainstOneBodyAreOneContact) {
   System<2> system;
   system.box.length = {10, 10};
@@ -133,8 +135,8 @@ TEST(ContactNetwork, RecordsOfOneSiteAgainstOneBodyAreOneContact) {
     r.touch = 0;
     return r;
   };
-  const std::vector<ContactRecord<2>> records{record({{1, 0.9}, {2, 0.1}}, 0.5), record({{3, 0.25}, {1, 0.75}}, 0.5),
-                                              record({{1, 1}}, -0.25)};
+  const std::vector<ContactRecord<2>> records{record({{1, 0.9}, {2, 0.1}}, 0.5),
+                                              record({{3, 0.25}, {1, 0.75}}, 0.5), record({{1, 1}}, -0.25)};
   const auto contacts = site_contacts(system, records, Harmonic{2, false});
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_EQ(contacts[0].site, 0);
@@ -145,7 +147,8 @@ TEST(ContactNetwork, RecordsOfOneSiteAgainstOneBodyAreOneContact) {
   EXPECT_NEAR(contacts[0].normal_force(), 0.15, 1e-15);
 }
 
-/// Shifted by a quarter of their side, each of two smooth squares has one corner in front of an edge of the other.
+/// Shifted by a quarter of their side, each of two smooth squares has one corner in front of an edge of the
+/// other.
 TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
   System<2> system;
   system.box.length = {10, 10};
@@ -166,7 +169,8 @@ TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
   ASSERT_EQ(contact_network(system, contacts).pairs.size(), 1u);
 }
 
-/// A tip in a notch: two edges, less the corner that both have counted, are one contact as deep as the nearer edge says.
+/// A tip in a notch: two edges, less the corner that both have counted, are one contact as deep as the nearer
+/// edge says.
 TEST(ContactNetwork, ACornerThatIsTakenBackIsNoOverlap) {
   System<2> system;
   system.box.length = {20, 20};

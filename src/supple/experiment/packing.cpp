@@ -25,7 +25,11 @@ using std::numbers::pi;
 bool has_polygons(const Bodies& b) { return b.family != "disc"; }
 
 ShapeSpec shape_spec(const Bodies& b) {
-  return {b.k_a, b.k_l, b.k_b, b.gamma, b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
+  return {b.k_a,
+          b.k_l,
+          b.k_b,
+          b.gamma,
+          b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
           b.family == "rough_disc" ? 0 : b.shape_parameter};
 }
 
@@ -36,7 +40,9 @@ struct Sizes {
   int particles, large;
   double ratio;
   explicit Sizes(const Bodies& b)
-      : particles(b.count), large(static_cast<int>(std::lround(b.large_fraction * b.count))), ratio(b.size_ratio) {}
+      : particles(b.count),
+        large(static_cast<int>(std::lround(b.large_fraction * b.count))),
+        ratio(b.size_ratio) {}
   bool is_large(int body) const { return body >= particles - large && body < particles; }
   double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
 };
@@ -47,18 +53,22 @@ void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system
   const Sizes sizes(b);
   const double area = sizes.area(body);
   if (!has_polygons(b) || body >= b.count) return add_disc_body(system, centre, std::sqrt(area / pi));
-  const int n = sizes.is_large(body) && b.vertex_rule == "scaled" ? static_cast<int>(std::lround(b.size_ratio * b.vertices)) : b.vertices;
-  RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle, static_cast<std::uint64_t>(body));
+  const int n = sizes.is_large(body) && b.vertex_rule == "scaled"
+                    ? static_cast<int>(std::lround(b.size_ratio * b.vertices))
+                    : b.vertices;
+  RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle,
+                    static_cast<std::uint64_t>(body));
   add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape_spec(b));
   if (b.family == "rough_disc") return make_rigid(system, body);
   if (b.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
-  // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push lets it buckle.
+  // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
+  // lets it buckle.
   for (int i = system.topology.begin[body]; i < system.topology.begin[body + 1]; ++i)
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
-/// Random positions in the cell, moved apart and away from its walls, as soft discs of these radii, until none overlap or
-/// as far as can be.
+/// Random positions in the cell, moved apart and away from its walls, as soft discs of these radii, until
+/// none overlap or as far as can be.
 std::vector<Vec2> random_centres(const std::vector<double>& radius, const Box<2>& box, std::int64_t seed) {
   System<2> discs;
   discs.box = box;
@@ -78,7 +88,8 @@ std::vector<Vec2> random_centres(const std::vector<double>& radius, const Box<2>
   return discs.state.position;
 }
 
-/// Of this shape of the cell: height over width, periodic or between walls. Its lengths follow from the packing fraction.
+/// Of this shape of the cell: height over width, periodic or between walls. Its lengths follow from the
+/// packing fraction.
 struct Enclosure {
   double aspect_ratio = 1;
   std::array<bool, 2> periodic{true, true};
@@ -102,18 +113,20 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
   const double least = box.periodic[0] ? 2 * widest : widest;
   const double shorter = std::min(box.length[0], box.length[1]);
   if (shorter < least)
-    throw input_error(fmt::format("{} particles at packing fraction {} in a {} cell", bodies, packing_fraction_wanted,
-                                  box.periodic[0] ? "periodic" : "walled"),
-                      fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it {}", shorter, widest,
-                                  box.periodic[0] ? "would meet a neighbour on two sides" : "does not fit in"),
-                      "raise bodies.N");
+    throw input_error(
+        fmt::format("{} particles at packing fraction {} in a {} cell", bodies, packing_fraction_wanted,
+                    box.periodic[0] ? "periodic" : "walled"),
+        fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it {}", shorter, widest,
+                    box.periodic[0] ? "would meet a neighbour on two sides" : "does not fit in"),
+        "raise bodies.N");
   const std::vector<Vec2> centre = random_centres(radius, box, c.general.seed);
   System<2> system;
   system.box = box;
   for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
   if (const auto inside = bodies_inside_others(system); !inside.empty())
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
-                      fmt::format("there is no room: {} of {} would begin with vertices inside another one", inside.size(), bodies),
+                      fmt::format("there is no room: {} of {} would begin with vertices inside another one",
+                                  inside.size(), bodies),
                       "start at a lower one, and compress");
   return system;
 }
@@ -170,7 +183,8 @@ Packing packing_of(const Case& c, System<2> system) {
     p.pressure_unit = stiffness[b].volume * area;
   }
   if (smallest == 0) {
-    p.pressure_unit = law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
+    p.pressure_unit =
+        law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
     p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
   }
   p.covered_area = packing_fraction(p.system, p.outline).total * p.system.box.volume();
@@ -178,9 +192,9 @@ Packing packing_of(const Case& c, System<2> system) {
   p.minimise.max_evaluations = c.minimise.max_evaluations;
   p.contact_pressure = c.jamming.pressure_kind == "contact";
   p.tolerance.relative = c.minimise.force_tolerance;
-  p.tolerance.least = c.minimise.least_force > 0
-                          ? c.minimise.least_force
-                          : c.minimise.force_tolerance * c.jamming.pressure * p.pressure_unit * 2 * mean_radius(p.system);
+  p.tolerance.least = c.minimise.least_force > 0 ? c.minimise.least_force
+                                                 : c.minimise.force_tolerance * c.jamming.pressure *
+                                                       p.pressure_unit * 2 * mean_radius(p.system);
   return p;
 }
 
@@ -206,7 +220,8 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
                       fmt::format("{} needs a box of walls", c.general.experiment),
                       "start from a run between walls, or from [bodies]");
   const Enclosure walled{aspect_ratio, {false, false}};
-  Packing p = packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
+  Packing p =
+      packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
   WallLaw walls = wall_law(c);
   walls.floor_friction = 0;  // friction has no energy to minimise
   p.field->set_walls(walls);
@@ -215,7 +230,8 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 
 Packing make_periodic_packing(const Case& c, const InitialState* initial) {
   if (initial && !(initial->system.box.periodic[0] && initial->system.box.periodic[1]))
-    throw input_error("the state to start from lies between walls", fmt::format("{} shrinks a periodic cell", c.general.experiment),
+    throw input_error("the state to start from lies between walls",
+                      fmt::format("{} shrinks a periodic cell", c.general.experiment),
                       "start from a periodic packing");
   return make_packing(c, initial, c.jamming.packing_fraction);
 }
@@ -243,7 +259,8 @@ double least_energy(Packing& packing, double pressure) {
 }
 
 double covered_fraction(const Packing& packing) {
-  return packing.outline == Outline::rough ? rough_sum(packing.system).total : packing_fraction(packing.system, packing.outline).total;
+  return packing.outline == Outline::rough ? rough_sum(packing.system).total
+                                           : packing_fraction(packing.system, packing.outline).total;
 }
 
 PackingState observe(Packing& packing) {

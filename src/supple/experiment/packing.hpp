@@ -1,4 +1,5 @@
-/// A packing of deformable particles: the system, what acts on it, and the ways in which experiments change it.
+/// A packing of deformable particles: the system, what acts on it, and the ways in which experiments change
+/// it.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,12 +12,13 @@
 
 namespace supple {
 
-/// Everything that an experiment on bodies needs. Pressures are in units of `pressure_unit` where users see them.
+/// Everything that an experiment on bodies needs. Pressures are in units of `pressure_unit` where users see
+/// them.
 struct Packing {
   System<2> system;
   std::shared_ptr<ForceField> field;
   Outline outline = Outline::rough;
-  double pressure_unit = 1;  ///< k_a a0 of a small particle; k_c for discs and rigid particles
+  double pressure_unit = 1;                ///< k_a a0 of a small particle; k_c for discs and rigid particles
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
   ForceTolerance tolerance;
   MinimiseSpec minimise;
@@ -24,16 +26,19 @@ struct Packing {
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
 };
 
-/// The particles of the case at random positions that do not overlap in a square periodic cell of this packing fraction, or the
-/// packing that the case starts from. Input errors where the case asks for what cannot be.
+/// The particles of the case at random positions that do not overlap in a square periodic cell of this
+/// packing fraction, or the packing that the case starts from. Input errors where the case asks for what
+/// cannot be.
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction);
 
-/// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there is room. The
-/// packing fraction is that of the area between the walls. A state to start from is taken with its box; input error where
-/// that is periodic.
-Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction, double aspect_ratio);
+/// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there
+/// is room. The packing fraction is that of the area between the walls. A state to start from is taken with
+/// its box; input error where that is periodic.
+Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
+                           double aspect_ratio);
 
-/// The same for experiments that change the size of the cell. Input error where the state to start from is not periodic.
+/// The same for experiments that change the size of the cell. Input error where the state to start from is
+/// not periodic.
 Packing make_periodic_packing(const Case& c, const InitialState* initial);
 
 /// The force field that the case describes.
@@ -42,22 +47,25 @@ std::shared_ptr<ForceField> make_body_field(const Case& c);
 /// The walls that the case describes.
 WallLaw wall_law(const Case& c);
 
-/// What a packing is at rest, as far as a search needs it; packing_fraction is that of the area that the bodies covered at first (the exact
-/// one takes as long as a thousand force evaluations).
+/// What a packing is at rest, as far as a search needs it; packing_fraction is that of the area that the
+/// bodies covered at first (the exact one takes as long as a thousand force evaluations).
 struct PackingState {
-  double packing_fraction = 0, pressure = 0, contact_pressure = 0, full_pressure = 0;  ///< pressures in pressure_unit
-  Mat2 stress;                                                                         ///< in pressure_unit
+  double packing_fraction = 0, pressure = 0, contact_pressure = 0,
+         full_pressure = 0;  ///< pressures in pressure_unit
+  Mat2 stress;               ///< in pressure_unit
   double energy = 0;
 };
 
 /// Minimises the energy in the present cell. Not to converge is no error: the report says so.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
 
-/// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V = sum f r <= sqrt(2 U K),
-/// K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without energy.
+/// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V =
+/// sum f r <= sqrt(2 U K), K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without
+/// energy.
 double least_energy(Packing& packing, double pressure);
 
-/// The packing fraction as it is now; for rough particles by the published sum, which is much faster and as good below deep overlap.
+/// The packing fraction as it is now; for rough particles by the published sum, which is much faster and as
+/// good below deep overlap.
 double covered_fraction(const Packing& packing);
 
 /// Observables at the present state.

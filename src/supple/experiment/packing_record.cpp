@@ -14,7 +14,8 @@ namespace {
 /// Pressure of each body on its covered area.
 std::vector<double> body_pressures(const Packing& packing, const PackingReport& r) {
   std::vector<double> out;
-  for (const Mat2& stress : r.stresses.of_bodies(r.fraction.area)) out.push_back(pressure(stress) / packing.pressure_unit);
+  for (const Mat2& stress : r.stresses.of_bodies(r.fraction.area))
+    out.push_back(pressure(stress) / packing.pressure_unit);
   return out;
 }
 
@@ -32,10 +33,11 @@ double mean(const std::vector<double>& values) {
 void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorder) {
   if (r.inside > 0)
     recorder.warning(fmt::format(
-        "{} particles have vertices inside another one: vertices have passed an edge; lower the step", r.inside));
+        "{} particles have vertices inside another one: vertices have passed an edge; lower the step",
+        r.inside));
   if (progress.unconverged > 0)
-    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}", progress.unconverged,
-                                 progress.minimisations, progress.last.reason));
+    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}",
+                                 progress.unconverged, progress.minimisations, progress.last.reason));
 }
 
 }  // namespace
@@ -52,8 +54,10 @@ std::vector<Derived> derived_packing(const Packing& packing) {
 
 std::vector<Derived> derived_equilibria(const Packing& packing) {
   std::vector<Derived> all = derived_packing(packing);
-  all.push_back({{"force_tolerance", "mean contact force", "largest net force in equilibrium"}, packing.tolerance.relative});
-  all.push_back({{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least});
+  all.push_back({{"force_tolerance", "mean contact force", "largest net force in equilibrium"},
+                 packing.tolerance.relative});
+  all.push_back(
+      {{"least_force", "", "net force that is equilibrium whatever touches"}, packing.tolerance.least});
   return all;
 }
 
@@ -62,7 +66,9 @@ void begin_packing(const Packing& packing, const std::vector<Derived>& constants
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
   const Harmonic law = packing.field->bodies()->law();
   recorder.value(material_group, {contact_stiffness, "", "k_c of contacts"}, law.stiffness);
-  recorder.value(material_group, {contact_is_relative, "", "1: energy (k_c/2)(1 - r/sigma)^2; 0: (k_c/2)(sigma - r)^2"}, law.relative);
+  recorder.value(material_group,
+                 {contact_is_relative, "", "1: energy (k_c/2)(1 - r/sigma)^2; 0: (k_c/2)(sigma - r)^2"},
+                 law.relative);
 }
 
 PackingReport report_packing(Packing& packing) {
@@ -132,7 +138,8 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   recorder.frame(packing_frame(packing, r));
   const bool moves = progress.minimisations == 0, open = surroundings == Surroundings::open;
   const auto is_left_out = [&](const std::string& name) {
-    const bool of_cell = name == "packing_fraction" || name.find("pressure") != name.npos || name.starts_with("stress");
+    const bool of_cell =
+        name == "packing_fraction" || name.find("pressure") != name.npos || name.starts_with("stress");
     return (open && of_cell) || (moves && (name == "tolerance" || name == "evaluations"));
   };
   const std::vector<Column> columns = packing_columns(packing);
@@ -145,11 +152,14 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system));
   number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
-  if (!open) number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs", r.constraints.excess());
+  if (!open)
+    number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs",
+           r.constraints.excess());
   number("mean_shape_parameter", "mean p^2/(4 pi a) of the particles", mean(r.shapes.shape_parameter));
   if (!moves) {
     number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
-    number("unconverged", "minimisations that stopped before the tolerance", static_cast<double>(progress.unconverged));
+    number("unconverged", "minimisations that stopped before the tolerance",
+           static_cast<double>(progress.unconverged));
   }
   warn(r, progress, recorder);
   recorder.final_state(packing.system, r.evaluation);

@@ -33,19 +33,21 @@ struct PackingReport {
 };
 PackingReport report_packing(Packing& packing);
 
-/// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts, rattlers, energy, residual, work.
+/// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts,
+/// rattlers, energy, residual, work.
 std::vector<Column> packing_columns(const Packing& packing);
 std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
 
 /// The instant of the report: positions, forces, contacts, and of each body its pressure, shape, contacts.
 Frame packing_frame(const Packing& packing, const PackingReport& report);
 
-/// Closed: particles fill a cell. Open: they lie where there is room: neither a packing fraction nor a stress.
+/// Closed: particles fill a cell. Open: they lie where there is room: neither a packing fraction nor a
+/// stress.
 enum class Surroundings { closed, open };
 
-/// Results of a packing, its last frame and its state. Warns of what the reader must know: bodies inside others,
-/// minimisations that did not converge. Without minimisations in `progress` the particles move: no work is recorded, and
-/// stresses have their kinetic part.
+/// Results of a packing, its last frame and its state. Warns of what the reader must know: bodies inside
+/// others, minimisations that did not converge. Without minimisations in `progress` the particles move: no
+/// work is recorded, and stresses have their kinetic part.
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings = Surroundings::closed);
 

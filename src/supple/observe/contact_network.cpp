@@ -11,7 +11,8 @@ namespace supple {
 namespace {
 
 /// The site of the far side, that of negative weight, which bears most of these records.
-std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch, const Harmonic& law) {
+std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch,
+                       const Harmonic& law) {
   std::int32_t site = -1;
   double largest = -1;
   for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r) {
@@ -30,8 +31,8 @@ bool counts(std::span<const std::uint8_t> left_out, std::int32_t body) {
   return left_out.empty() || left_out[body] == 0;
 }
 
-/// Which wall pushes with this force: 0 and 1 along the flow, 2 and 3 along the gradient. A wall beside pushes
-/// straight.
+/// Which wall pushes with this force: 0 and 1 along the flow, 2 and 3 along the gradient. A wall beside
+/// pushes straight.
 int wall_of(const SiteForce<2>& wall) {
   const int d = wall.force[gradient] != 0 ? gradient : flow;
   return 2 * d + (wall.force[d] > 0 ? 0 : 1);
@@ -44,15 +45,18 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<SiteContact> contacts;
   for (const BodyTouch& touch : sum_touches(system, records, law))
-    contacts.push_back({touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force});
+    contacts.push_back(
+        {touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force});
   return contacts;
 }
 
-double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records, const Harmonic& law) {
+double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+                    const Harmonic& law) {
   const std::vector<BodyTouch> touches = sum_touches(system, records, law);
   double sum = 0;
   for (const BodyTouch& touch : touches) {
-    double depth = 0;  // a corner that is taken back (weight -1) is never nearer than the edges that end there
+    double depth =
+        0;  // a corner that is taken back (weight -1) is never nearer than the edges that end there
     for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r)
       depth = std::max(depth, -records[r].gap / records[r].reach);
     sum += depth;
@@ -74,7 +78,8 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
   for (const SiteContact& c : contacts)
     network.pairs.push_back({std::min(c.body, c.other_body), std::max(c.body, c.other_body), 1});
   const auto key = [](const ContactNetwork::Pair& p) { return std::pair(p.first, p.second); };
-  std::sort(network.pairs.begin(), network.pairs.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  std::sort(network.pairs.begin(), network.pairs.end(),
+            [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::size_t last = 0;
   for (std::size_t k = 1; k < network.pairs.size(); ++k)
     if (key(network.pairs[k]) == key(network.pairs[last])) ++network.pairs[last].site_contacts;
@@ -103,7 +108,9 @@ std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least
       for (const std::int32_t b : {p.first, p.second}) ++neighbours[b], sites[b] += p.site_contacts;
     }
     for (int b = 0; b < network.bodies(); ++b) {
-      if (rattler[b] || (network.single[b] ? neighbours[b] >= least : neighbours[b] >= 2 && sites[b] >= least)) continue;
+      if (rattler[b] ||
+          (network.single[b] ? neighbours[b] >= least : neighbours[b] >= 2 && sites[b] >= least))
+        continue;
       rattler[b] = 1;
       removed = true;
     }
@@ -127,7 +134,8 @@ ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std
 }
 
 ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
-                                  std::span<const std::uint8_t> left_out, std::span<const SiteForce<2>> wall) {
+                                  std::span<const std::uint8_t> left_out,
+                                  std::span<const SiteForce<2>> wall) {
   ConstraintCount out;
   const int sites = system.state.size();
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, sites);
@@ -147,7 +155,8 @@ ConstraintCount count_constraints(const System<2>& system, const std::vector<Sit
     const int deformations = 2 * n - 3, stiff = (k.volume > 0) + (k.facet > 0 ? n : 0);
     out.shape += k.hinge > 0 || k.tension > 0 ? deformations : std::min(stiff, deformations);
   }
-  for (const SiteContact& c : contacts) out.contacts += counts(left_out, c.body) && counts(left_out, c.other_body);
+  for (const SiteContact& c : contacts)
+    out.contacts += counts(left_out, c.body) && counts(left_out, c.other_body);
   for (const SiteForce<2>& w : wall) out.contacts += counts(left_out, body[w.site]);
   return out;
 }

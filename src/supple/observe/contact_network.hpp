@@ -23,18 +23,19 @@ struct SiteContact {
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                        const Harmonic& law);
 
-/// Mean depth of these contacts: how much nearer a site is to the other body than where they meet, over that distance; 0
-/// without any.
-double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records, const Harmonic& law);
+/// Mean depth of these contacts: how much nearer a site is to the other body than where they meet, over that
+/// distance; 0 without any.
+double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+                    const Harmonic& law);
 
-/// The bodies that touch each other, or a wall. Two bodies that meet also through a second image (in a very small cell)
-/// are one pair.
+/// The bodies that touch each other, or a wall. Two bodies that meet also through a second image (in a very
+/// small cell) are one pair.
 struct ContactNetwork {
   struct Pair {
     std::int32_t first, second;  ///< bodies, first < second
     std::int32_t site_contacts;
   };
-  std::vector<Pair> pairs;          ///< ascending (first, second)
+  std::vector<Pair> pairs;               ///< ascending (first, second)
   std::vector<std::int32_t> walls;       ///< that each body touches
   std::vector<std::int32_t> wall_sites;  ///< sites of each body that touch a wall
   std::vector<std::uint8_t> single;      ///< 1: a body of one site, which nothing can turn
@@ -48,10 +49,11 @@ struct ContactNetwork {
 ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
                                std::span<const SiteForce<2>> wall = {});
 
-/// Bodies that their contacts cannot hold, removed until none is left. A disc: fewer than `least` = d + 1 neighbours (walls count) that are
-/// no rattlers. A body that can turn is held by as many contacts of its vertices, from two sides at least: it may rest between two
-/// neighbours, as one wheel does between the teeth of two others, and where z is near 3 the rule for discs would take away one
-/// particle after the other of a packing that bears pressure. One number per body, 1: a rattler.
+/// Bodies that their contacts cannot hold, removed until none is left. A disc: fewer than `least` = d + 1
+/// neighbours (walls count) that are no rattlers. A body that can turn is held by as many contacts of its
+/// vertices, from two sides at least: it may rest between two neighbours, as one wheel does between the teeth
+/// of two others, and where z is near 3 the rule for discs would take away one particle after the other of a
+/// packing that bears pressure. One number per body, 1: a rattler.
 std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least = 3);
 
 /// Contact numbers of the bodies that are not left out.
@@ -64,8 +66,8 @@ struct ContactNumbers {
 /// `left_out`: 1 for bodies that do not count, with their contacts (find_rattlers); empty: all count.
 ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std::uint8_t> left_out = {});
 
-/// Degrees of freedom against constraints [Maxwell 1864; MacKeith 2025, section 9.4.3]. A packing under compression
-/// that is just rigid has one constraint more than the motions left: one state of self-stress.
+/// Degrees of freedom against constraints [Maxwell 1864; MacKeith 2025, section 9.4.3]. A packing under
+/// compression that is just rigid has one constraint more than the motions left: one state of self-stress.
 struct ConstraintCount {
   int freedoms = 0;      ///< of the bodies that count
   int translations = 0;  ///< of the whole packing that cost nothing: one for each periodic direction
@@ -74,14 +76,16 @@ struct ConstraintCount {
 
   /// Contacts of an isostatic packing: 2N - 1 for smooth discs in a periodic cell, 3N - 1 for shells.
   int needed() const { return freedoms - translations - shape + 1; }
-  /// Positive: more than enough. Floppy packings are short of N(n - 1) - 1 - contacts, their number of quartic modes.
+  /// Positive: more than enough. Floppy packings are short of N(n - 1) - 1 - contacts, their number of
+  /// quartic modes.
   int excess() const { return contacts - needed(); }
 };
 
-/// Counts the bodies that are not left out: 3 freedoms of a rigid one, 2 of each free site of the others. The shape
-/// energy of a polygon of n sites fixes as many of its 2n - 3 deformations as it has stiff terms (1 for its area, n for
-/// its edges), and all of them where corners are stiff or edges have line tension.
+/// Counts the bodies that are not left out: 3 freedoms of a rigid one, 2 of each free site of the others. The
+/// shape energy of a polygon of n sites fixes as many of its 2n - 3 deformations as it has stiff terms (1 for
+/// its area, n for its edges), and all of them where corners are stiff or edges have line tension.
 ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
-                                  std::span<const std::uint8_t> left_out = {}, std::span<const SiteForce<2>> wall = {});
+                                  std::span<const std::uint8_t> left_out = {},
+                                  std::span<const SiteForce<2>> wall = {});
 
 }  // namespace supple
