@@ -7,120 +7,23 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <thread>
 
-#include "supple/core/error.hpp"
-#include "supple/experiment/jam.hpp"
+#include "pressure_curve.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/pressure_plot.hpp"
-#include "supple/model/bodies.hpp"
 
 namespace {
 
 using namespace supple;
 
-constexpr int disc_packings = 100, rough_packings = 16, shell_packings = 16, scan_packings = 4;
+constexpr int disc_packings = 100, rough_packings = 40, shell_packings = 40, scan_packings = 12;
 constexpr double lowest_excess = 0.9e-4, highest_excess = 0.03;
+constexpr double decade_low = 0.9e-3, decade_high = 0.0105;  ///< excess of the fits, rounding included
 constexpr const char* heading =
-    "| | packings | mean onset | zero of the line | line over | slope | exponent, excess < 0.01 | excess > 0.001 | unconverged |\n"
-    "|---|---|---|---|---|---|---|---|---|\n";
-
-/// Which packing fraction counts: the sum of all areas, as is usual for discs, or what is covered.
-enum class Area { sum, covered };
-
-/// One packing from its onset upward.
-struct Curve {
-  double onset = 0;  ///< packing fraction at P = 1e-7
-  std::vector<double> phi, pressure;
-  long unconverged = 0;
-  std::string failure;
-
-  /// Pressure at a packing fraction: 0 below the onset, straight between two measured points.
-  double at(double x) const {
-    const auto above = std::upper_bound(phi.begin(), phi.end(), x);
-    if (above == phi.begin()) return 0;
-    if (above == phi.end()) return NAN;
-    const auto k = static_cast<std::size_t>(above - phi.begin());
-    const double share = (x - phi[k - 1]) / (phi[k] - phi[k - 1]);
-    return pressure[k - 1] + share * (pressure[k] - pressure[k - 1]);
-  }
-};
-
-double fraction(const Packing& packing, Area area) {
-  return area == Area::sum ? packing.covered_area / packing.system.box.volume()
-                           : packing_fraction(packing.system, packing.outline).total;
-}
-
-/// Packing fractions above the onset: logarithmic, then by steps that the packing follows.
-std::vector<double> excesses(double highest) {
-  std::vector<double> list;
-  for (int k = 0; k < 5; ++k) list.push_back(1e-4 * std::pow(10, k / 4.0));
-  for (double x = 2e-3; x < highest + 1e-6; x += 2e-3) list.push_back(x);
-  return list;
-}
-
-Curve measure(Case c, int seed, double highest, Area area) {
-  Curve curve;
-  c.general.seed = seed;
-  try {
-    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
-    curve.unconverged = jam(packing, jam_spec(c)).unconverged;
-    const double onset = observe(packing).packing_fraction;
-    curve.onset = fraction(packing, area);
-    curve.phi.push_back(curve.onset);
-    curve.pressure.push_back(observe(packing).pressure);
-    for (const double excess : highest > 0 ? excesses(highest) : std::vector<double>{}) {
-      const double factor = std::sqrt(observe(packing).packing_fraction / (onset + excess));
-      scale_cell(packing.system, {factor, factor});
-      packing.field->invalidate();
-      curve.unconverged += !relax(packing).converged;
-      curve.phi.push_back(fraction(packing, area));
-      curve.pressure.push_back(observe(packing).pressure);
-    }
-  } catch (const Error& error) {
-    curve.failure = error.what();
-  }
-  return curve;
-}
-
-/// Curves in files, so that a study that was interrupted goes on.
-class Store {
- public:
-  enum class Missing { make, leave_out };
-  /// Nothing is kept where there is no folder.
-  Store(std::string folder, Missing missing) : folder_(std::move(folder)), missing_(missing) {
-    if (!folder_.empty()) std::filesystem::create_directories(folder_);
-  }
-  Curve get(const std::string& name, const Case& c, int seed, double highest, Area area) const {
-    const std::string path = fmt::format("{}/{}-{}.txt", folder_, name, seed);
-    if (std::ifstream in(path); !folder_.empty() && in) return read(in);
-    if (missing_ == Missing::leave_out) return {0, {}, {}, 0, fmt::format("packing {} was not made", seed)};
-    const Curve curve = measure(c, seed, highest, area);
-    if (folder_.empty() || !curve.failure.empty()) return curve;
-    std::string text = fmt::format("{}\n", curve.unconverged);
-    for (std::size_t k = 0; k < curve.phi.size(); ++k) text += fmt::format("{} {}\n", curve.phi[k], curve.pressure[k]);
-    std::ofstream(path) << text;
-    return curve;
-  }
-
- private:
-  static Curve read(std::istream& in) {
-    Curve curve;
-    in >> curve.unconverged;
-    for (double phi, pressure; in >> phi >> pressure;) {
-      curve.phi.push_back(phi);
-      curve.pressure.push_back(pressure);
-    }
-    curve.onset = curve.phi.at(0);
-    return curve;
-  }
-
-  std::string folder_;
-  Missing missing_;
-};
+    "| | N | σ/edge | packings | first jam | mean onset | zero of the line | slope | exponent, 0.001-0.01 | 0.001-0.03 | unconverged |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 struct Estimate {
   double value = 0, error = 0;
@@ -152,7 +55,7 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
 class Ensemble {
  public:
   /// One thread for each processor: packings are independent.
-  Ensemble(std::string name, const Store& store, const Case& c, int seeds, double highest, Area area)
+  Ensemble(std::string name, const Store& store, const Case& c, int seeds, double highest, Area area, Protocol protocol)
       : name_(std::move(name)), curves_(static_cast<std::size_t>(seeds)) {
     std::atomic<int> next{0};
     {
@@ -160,62 +63,74 @@ class Ensemble {
       for (unsigned w = 0; w < std::max(1u, std::thread::hardware_concurrency()); ++w)
         workers.emplace_back([&] {
           for (int k = next++; k < seeds; k = next++)
-            curves_[static_cast<std::size_t>(k)] = store.get(name_, c, k + 1, highest, area);
+            curves_[static_cast<std::size_t>(k)] = store.get(name_, c, k + 1, highest, area, protocol);
         });
     }
-    std::erase_if(curves_, [&](const Curve& curve) {
+    std::erase_if(curves_, [&](const PressureCurve& curve) {
       if (!curve.failure.empty()) fmt::print(stderr, "{}: {}\n", name_, curve.failure);
       return !curve.failure.empty();
     });
+    extrapolate_onsets();
   }
 
-  Estimate onset() const {
-    std::vector<double> all;
-    for (const Curve& c : curves_) all.push_back(c.onset);
-    return mean_of(all);
-  }
   std::size_t size() const { return curves_.size(); }
   const std::string& name() const { return name_; }
+  Estimate onset() const { return mean(&PressureCurve::onset); }
+  Estimate first() const { return mean(&PressureCurve::first); }
   long unconverged() const {
     long sum = 0;
-    for (const Curve& c : curves_) sum += c.unconverged;
+    for (const PressureCurve& c : curves_) sum += c.unconverged;
     return sum;
   }
 
-  /// Packing fractions at which every packing is jammed and was measured; the last 0.01 where a few packings leave less than that.
-  std::vector<double> grid() const {
+  /// Zero of the straight line through the mean pressure over the packing fractions at which every packing is jammed and was measured.
+  double zero_over_fraction() const {
     double low = 0, high = 1;
-    for (const Curve& c : curves_) {
+    for (const PressureCurve& c : curves_) {
       low = std::max(low, c.onset);
       high = std::min(high, c.phi.back());
     }
-    low = std::min(low, high - 0.01);
-    std::vector<double> list;
-    for (int k = 0; k <= 20; ++k) list.push_back(low + (high - low) * 0.999 * k / 20);
-    return list;
+    std::vector<double> x, y;
+    for (int k = 0; k <= 20; ++k) {
+      x.push_back(low + (high - low) * 0.999 * k / 20);
+      y.push_back(0);
+      for (const PressureCurve& c : curves_) y.back() += c.at(x.back()) / static_cast<double>(size());
+    }
+    const Line line = fit_line(x, y);
+    return -line.constant / line.slope;
   }
-  /// Mean pressure at one packing fraction, without the packing `left_out`.
-  double mean_pressure(double phi, std::size_t left_out = SIZE_MAX) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < curves_.size(); ++k)
-      if (k != left_out) sum += curves_[k].at(phi);
-    return sum / static_cast<double>(curves_.size() - (left_out < curves_.size()));
+  /// The straight line through the mean pressure against mean excess over a decade, as a line over packing fraction.
+  Estimate zero() const {
+    return jackknife([this](std::size_t without) {
+      const auto [x, y] = scaled(decade_low, decade_high, without);
+      const Line line = fit_line(x, y);
+      return mean_onset(without) - line.constant / line.slope;
+    });
   }
-  /// The straight line through the mean pressure over the grid, and its zero with the jackknife's error over packings.
-  PressureFit line() const { return line_without(SIZE_MAX); }
-  double zero_error() const {
-    std::vector<double> zeros;
-    for (std::size_t k = 0; k < curves_.size(); ++k) zeros.push_back(line_without(k).onset);
-    return mean_of(zeros).error * static_cast<double>(zeros.size() - 1);
+  Estimate slope() const {
+    return jackknife([this](std::size_t without) {
+      const auto [x, y] = scaled(decade_low, decade_high, without);
+      return fit_line(x, y).slope;
+    });
+  }
+  /// Slope of log (mean P) against log (mean excess over the onset of the same packing).
+  Estimate exponent(double low, double high) const {
+    return jackknife([&](std::size_t without) {
+      auto [x, y] = scaled(low, high, without);
+      for (double& v : x) v = std::log(v);
+      for (double& v : y) v = std::log(v);
+      return fit_line(x, y).slope;
+    });
   }
   /// Mean excess over the own onset and mean pressure, for excesses in a range.
-  std::pair<std::vector<double>, std::vector<double>> scaled(double low, double high) const {
+  std::pair<std::vector<double>, std::vector<double>> scaled(double low, double high, std::size_t without = SIZE_MAX) const {
     std::vector<double> x, y;
     for (std::size_t k = 1; k < curves_.front().phi.size(); ++k) {
       double excess = 0, pressure = 0;
-      for (const Curve& c : curves_) {
-        excess += (c.phi[k] - c.onset) / static_cast<double>(size());
-        pressure += c.pressure[k] / static_cast<double>(size());
+      for (std::size_t i = 0; i < size(); ++i) {
+        if (i == without) continue;
+        excess += (curves_[i].phi[k] - curves_[i].onset) / count(without);
+        pressure += curves_[i].pressure[k] / count(without);
       }
       if (excess < low || excess > high) continue;
       x.push_back(excess);
@@ -223,116 +138,137 @@ class Ensemble {
     }
     return {x, y};
   }
-  /// Slope of log P against log (phi - onset of the same packing).
-  double exponent(double low, double high) const {
-    auto [x, y] = scaled(low, high);
-    for (double& v : x) v = std::log(v);
-    for (double& v : y) v = std::log(v);
-    return fit_line(x, y).slope;
-  }
 
  private:
-  PressureFit line_without(std::size_t left_out) const {
-    const std::vector<double> x = grid();
-    std::vector<double> y;
-    for (const double phi : x) y.push_back(mean_pressure(phi, left_out));
-    const Line line = fit_line(x, y);
-    return {-line.constant / line.slope, line.slope};
+  double count(std::size_t without) const { return static_cast<double>(size() - (without < size())); }
+  double mean_onset(std::size_t without) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i)
+      if (i != without) sum += curves_[i].onset;
+    return sum / count(without);
+  }
+  Estimate mean(double PressureCurve::*member) const {
+    std::vector<double> all;
+    for (const PressureCurve& c : curves_) all.push_back(c.*member);
+    return mean_of(all);
+  }
+  /// A value of all packings, and its error from the values of all but one.
+  template <class Statistic>
+  Estimate jackknife(const Statistic& statistic) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < size(); ++i) values.push_back(statistic(i));
+    return {statistic(SIZE_MAX), mean_of(values).error * static_cast<double>(size() - 1)};
+  }
+
+  /// A curve begins at a small pressure, which is taken back along the mean slope.
+  void extrapolate_onsets() {
+    double rise = 0, run = 0;
+    for (const PressureCurve& c : curves_) {
+      if (c.phi.size() < 2) return;
+      rise += c.pressure[1] - c.pressure[0];
+      run += c.phi[1] - c.phi[0];
+    }
+    for (PressureCurve& c : curves_) c.onset -= c.pressure[0] * run / rise;
   }
 
   std::string name_;
-  std::vector<Curve> curves_;
+  std::vector<PressureCurve> curves_;
 };
 
-void print_row(const Ensemble& e) {
-  const Estimate onset = e.onset();
-  const PressureFit line = e.line();
-  fmt::print("| {} | {} | {:.4f} ± {:.4f} | {:.4f} ± {:.4f} | {:.4f}-{:.4f} | {:.3f} | {:.3f} | {:.3f} | {} |\n", e.name(), e.size(),
-             onset.value, onset.error, line.onset, e.zero_error(), e.grid().front(), e.grid().back(), line.slope,
-             e.exponent(lowest_excess, 0.01), e.exponent(1e-3, highest_excess), e.unconverged());
+std::string show(const Estimate& e, int digits) { return fmt::format("{:.{}f} ± {:.{}f}", e.value, digits, e.error, digits); }
+
+void print_row(const Ensemble& e, const Case& c) {
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), c.bodies.count,
+             c.bodies.family == "disc" ? "" : fmt::format("{}", c.bodies.diameter_ratio), e.size(), show(e.first(), 4), show(e.onset(), 4),
+             show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(decade_low, decade_high), 3),
+             e.scaled(0.02, 1).first.empty() ? "" : show(e.exponent(decade_low, highest_excess), 3), e.unconverged());
   std::fflush(stdout);
 }
 
-/// The mean pressure from where the first packing jams to where the last was measured, and the line through its upper part.
-PressureSeries over_fraction(const Ensemble& e) {
-  PressureSeries s{e.name(), {}, {}, e.line()};
-  const double low = e.onset().value - 0.012, high = e.grid().back();
-  for (int k = 0; k <= 30; ++k) {
-    s.packing_fraction.push_back(low + (high - low) * k / 30);
-    s.pressure.push_back(e.mean_pressure(s.packing_fraction.back()));
-  }
-  return s;
-}
-
-/// The same against the excess over the onset of each packing.
-PressureSeries over_excess(const Ensemble& e) {
+/// The mean pressure over the mean packing fraction, each packing relative to its own onset.
+PressureSeries over_fraction(const Ensemble& e, const std::string& label) {
   auto [excess, pressure] = e.scaled(0, 1);
-  const double slope = pressure[excess.size() / 4] / excess[excess.size() / 4];
-  return {e.name(), std::move(excess), std::move(pressure), PressureFit{0, slope}};
+  for (double& x : excess) x += e.onset().value;
+  return {label, std::move(excess), std::move(pressure), PressureFit{e.zero().value, e.slope().value}};
 }
 
-/// The diameter ratio at which the mean onset is `wanted`, between the two neighbours in the scan that enclose it.
-double ratio_at(const std::vector<double>& ratio, const std::vector<double>& onset, double wanted) {
-  for (std::size_t k = 1; k < ratio.size(); ++k)
-    if ((onset[k - 1] - wanted) * (onset[k] - wanted) <= 0)
-      return ratio[k - 1] + (wanted - onset[k - 1]) / (onset[k] - onset[k - 1]) * (ratio[k] - ratio[k - 1]);
-  return NAN;
+/// The same against the excess, with a line of slope 1.
+PressureSeries over_excess(const Ensemble& e, const std::string& label) {
+  auto [excess, pressure] = e.scaled(0, 1);
+  return {label, std::move(excess), std::move(pressure), PressureFit{0, e.slope().value}};
 }
 
-void scan(const std::string& name, const Store& store, Case c, double published) {
-  std::vector<double> ratios, onsets;
-  for (const double ratio : {0.25, 0.5, 0.75, 1.0, 1.25, 1.5}) {
+/// Mean onsets over diameter ratios, ascending.
+struct Scan {
+  std::vector<double> ratio;
+  std::vector<Estimate> onset;
+
+  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; its error is that of the two onsets.
+  Estimate ratio_at(double wanted) const {
+    for (std::size_t k = 1; k < ratio.size(); ++k) {
+      const Estimate &low = onset[k - 1], &high = onset[k];
+      if ((low.value - wanted) * (high.value - wanted) > 0) continue;
+      const double slope = (high.value - low.value) / (ratio[k] - ratio[k - 1]), share = (wanted - low.value) / (high.value - low.value);
+      return {ratio[k - 1] + share * (ratio[k] - ratio[k - 1]), std::hypot((1 - share) * low.error, share * high.error) / std::abs(slope)};
+    }
+    return {NAN, NAN};
+  }
+};
+
+/// Ensembles of other diameter ratios, and between which of them the published onset lies.
+void scan(const Store& store, Case c, const Ensemble& main, double published) {
+  Scan all;
+  for (const double ratio : {1.0, 1.25, 1.5, 2.0}) {
     c.bodies.diameter_ratio = ratio;
-    const Ensemble e(fmt::format("{}-{}", name, ratio), store, c, scan_packings, 0, Area::covered);
-    if (e.size() < 2) continue;
-    ratios.push_back(ratio);
-    onsets.push_back(e.onset().value);
-    fmt::print("| {} | {} | {} | {} | {:.4f} ± {:.4f} |\n", name, c.bodies.count, ratio, e.size(), e.onset().value, e.onset().error);
-    std::fflush(stdout);
+    all.ratio.push_back(ratio);
+    if (ratio == 1) {
+      all.onset.push_back(main.onset());
+      continue;
+    }
+    const Ensemble e(fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered, Protocol::steps);
+    if (e.size() < 2) {
+      all.ratio.pop_back();
+      continue;
+    }
+    all.onset.push_back(e.onset());
+    print_row(e, c);
   }
-  fmt::print("| {}, as published | {} | {:.2f} | | {} |\n", name, c.bodies.count, ratio_at(ratios, onsets, published), published);
-}
-
-void draw(const std::vector<Ensemble>& all, const std::string& out) {
-  std::vector<PressureSeries> fractions, scaled;
-  for (const Ensemble& e : all) {
-    fractions.push_back(over_fraction(e));
-    scaled.push_back(over_excess(e));
-  }
-  draw_pressure_plot(out + "/jamming_onset.png", fractions);
-  draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
+  fmt::print("\n{} jam at the published {} at σ/edge = {}\n\n", main.name(), published, show(all.ratio_at(published), 2));
 }
 
 int run(const std::string& cases, const std::string& out, Store::Missing missing) {
   const Store store(out + "/packings", missing);
-  const auto read = [&](const char* name) { return read_case(fmt::format("{}/{}.toml", cases, name)); };
-  const Case discs = read("discs"), rough = read("rough_discs"), shells = read("shells");
-  fmt::print("{}", heading);
-  std::vector<Ensemble> all;
-  const auto add = [&](const char* name, const Case& c, int seeds, Area area) {
-    all.emplace_back(name, store, c, seeds, highest_excess, area);
-    if (all.back().size() < 2) all.pop_back();
-    else print_row(all.back());
+  std::vector<PressureSeries> fractions, scaled;
+  const auto study = [&](const std::string& name, const std::string& label, int seeds, Area area, Protocol protocol, double published) {
+    const Case c = read_case(fmt::format("{}/{}.toml", cases, name));
+    const Ensemble e(name, store, c, seeds, highest_excess, area, protocol);
+    if (e.size() < 2) return;
+    fmt::print("{}", heading);
+    print_row(e, c);
+    fractions.push_back(over_fraction(e, label));
+    scaled.push_back(over_excess(e, label));
+    if (protocol == Protocol::steps) scan(store, c, e, published);
+    else fmt::print("\n");
   };
-  add("discs", discs, disc_packings, Area::sum);
-  add("rough_discs", rough, rough_packings, Area::covered);
-  add("shells", shells, shell_packings, Area::covered);
-  draw(all, out);
-  fmt::print("\n| | N | σ/edge | packings | mean onset |\n|---|---|---|---|---|\n");
-  scan("rough_discs", store, rough, 0.79);
-  scan("shells", store, shells, 0.783);
+  study("discs", "smooth discs", disc_packings, Area::sum, Protocol::root, 0.836);
+  study("rough_discs", "rough discs", rough_packings, Area::covered, Protocol::steps, 0.79);
+  study("shells", "shells", shell_packings, Area::covered, Protocol::steps, 0.783);
+  draw_pressure_plot(out + "/jamming_onset.png", fractions);
+  draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
   return 0;
 }
 
 /// Smooth discs jam where they jam in every program, and their pressure grows in proportion.
 int check(const std::string& cases) {
-  const Ensemble e("discs", Store("", Store::Missing::make), read_case(cases + "/discs.toml"), disc_packings, highest_excess, Area::sum);
+  const Case c = read_case(cases + "/discs.toml");
+  const Ensemble e("discs", Store("", Store::Missing::make), c, disc_packings, highest_excess, Area::sum, Protocol::root);
   if (e.size() < 2) return 1;
   fmt::print("{}", heading);
-  print_row(e);
-  const double exponent = e.exponent(lowest_excess, highest_excess);
-  const bool right = e.size() == disc_packings && std::abs(e.line().onset - 0.836) < 0.004 && std::abs(exponent - 1) < 0.05;
-  fmt::print("exponent {:.3f}; {}\n", exponent, right ? "as published" : "NOT as published: onset 0.836 +- 0.004, exponent 1 +- 0.05");
+  print_row(e, c);
+  const double exponent = e.exponent(lowest_excess, highest_excess).value, zero = e.zero_over_fraction();
+  const bool right = e.size() == disc_packings && std::abs(zero - 0.836) < 0.004 && std::abs(exponent - 1) < 0.05;
+  fmt::print("line over packing fraction: zero {:.4f}; exponent {:.3f}; {}\n", zero, exponent,
+             right ? "as published" : "NOT as published: onset 0.836 +- 0.004, exponent 1 +- 0.05");
   return right ? 0 : 1;
 }
 
