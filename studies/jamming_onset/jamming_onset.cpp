@@ -18,12 +18,16 @@ namespace {
 
 using namespace supple;
 
-constexpr int disc_packings = 100, rough_packings = 40, shell_packings = 40, scan_packings = 12;
+constexpr int disc_packings = 100, rough_packings = 32, shell_packings = 32, scan_packings = 9;
 constexpr double lowest_excess = 0.9e-4, highest_excess = 0.03;
-constexpr double decade_low = 0.9e-3, decade_high = 0.0105;  ///< excess of the fits, rounding included
+/// Excesses of a fit, with room for rounding.
+struct Range {
+  double low, high;
+};
+constexpr Range near{2.4e-4, 2.6e-3}, middle{0.9e-3, 0.0105}, far{2.9e-3, 0.0305};
 constexpr const char* heading =
-    "| | N | σ/edge | packings | first jam | mean onset | zero of the line | slope | exponent, 0.001-0.01 | 0.001-0.03 | unconverged |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|\n";
+    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.003 | 0.001-0.01 | 0.003-0.03 | "
+    "unconverged |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 struct Estimate {
   double value = 0, error = 0;
@@ -99,31 +103,31 @@ class Ensemble {
     const Line line = fit_line(x, y);
     return -line.constant / line.slope;
   }
-  /// The straight line through the mean pressure against mean excess over a decade, as a line over packing fraction.
+  /// Zero of the straight line through the mean pressure against mean excess near the onset, as a packing fraction.
   Estimate zero() const {
     return jackknife([this](std::size_t without) {
-      const auto [x, y] = scaled(decade_low, decade_high, without);
+      const auto [x, y] = scaled(near, without);
       const Line line = fit_line(x, y);
       return mean_onset(without) - line.constant / line.slope;
     });
   }
   Estimate slope() const {
     return jackknife([this](std::size_t without) {
-      const auto [x, y] = scaled(decade_low, decade_high, without);
+      const auto [x, y] = scaled(near, without);
       return fit_line(x, y).slope;
     });
   }
   /// Slope of log (mean P) against log (mean excess over the onset of the same packing).
-  Estimate exponent(double low, double high) const {
+  Estimate exponent(const Range& range) const {
     return jackknife([&](std::size_t without) {
-      auto [x, y] = scaled(low, high, without);
+      auto [x, y] = scaled(range, without);
       for (double& v : x) v = std::log(v);
       for (double& v : y) v = std::log(v);
       return fit_line(x, y).slope;
     });
   }
   /// Mean excess over the own onset and mean pressure, for excesses in a range.
-  std::pair<std::vector<double>, std::vector<double>> scaled(double low, double high, std::size_t without = SIZE_MAX) const {
+  std::pair<std::vector<double>, std::vector<double>> scaled(const Range& range, std::size_t without = SIZE_MAX) const {
     std::vector<double> x, y;
     for (std::size_t k = 1; k < curves_.front().phi.size(); ++k) {
       double excess = 0, pressure = 0;
@@ -132,7 +136,7 @@ class Ensemble {
         excess += (curves_[i].phi[k] - curves_[i].onset) / count(without);
         pressure += curves_[i].pressure[k] / count(without);
       }
-      if (excess < low || excess > high) continue;
+      if (excess < range.low || excess > range.high) continue;
       x.push_back(excess);
       y.push_back(pressure);
     }
@@ -177,25 +181,18 @@ class Ensemble {
 
 std::string show(const Estimate& e, int digits) { return fmt::format("{:.{}f} ± {:.{}f}", e.value, digits, e.error, digits); }
 
-void print_row(const Ensemble& e, const Case& c) {
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), c.bodies.count,
-             c.bodies.family == "disc" ? "" : fmt::format("{}", c.bodies.diameter_ratio), e.size(), show(e.first(), 4), show(e.onset(), 4),
-             show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(decade_low, decade_high), 3),
-             e.scaled(0.02, 1).first.empty() ? "" : show(e.exponent(decade_low, highest_excess), 3), e.unconverged());
+void print_row(const Ensemble& e, int bodies) {
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), bodies, e.size(), show(e.first(), 4), show(e.onset(), 4),
+             show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(near), 3), show(e.exponent(middle), 3), show(e.exponent(far), 3),
+             e.unconverged());
   std::fflush(stdout);
 }
 
-/// The mean pressure over the mean packing fraction, each packing relative to its own onset.
-PressureSeries over_fraction(const Ensemble& e, const std::string& label) {
-  auto [excess, pressure] = e.scaled(0, 1);
+/// The mean pressure over the mean excess of each packing over its own onset, added to the mean onset.
+PressureSeries mean_curve(const Ensemble& e, const std::string& label, const PressureFit& line) {
+  auto [excess, pressure] = e.scaled({0, 1});
   for (double& x : excess) x += e.onset().value;
-  return {label, std::move(excess), std::move(pressure), PressureFit{e.zero().value, e.slope().value}};
-}
-
-/// The same against the excess, with a line of slope 1.
-PressureSeries over_excess(const Ensemble& e, const std::string& label) {
-  auto [excess, pressure] = e.scaled(0, 1);
-  return {label, std::move(excess), std::move(pressure), PressureFit{0, e.slope().value}};
+  return {label, std::move(excess), std::move(pressure), line};
 }
 
 /// Mean onsets over diameter ratios, ascending.
@@ -215,23 +212,21 @@ struct Scan {
   }
 };
 
-/// Ensembles of other diameter ratios, and between which of them the published onset lies.
+/// Ensembles of other diameter ratios, and at which of them the published onset lies.
 void scan(const Store& store, Case c, const Ensemble& main, double published) {
   Scan all;
-  for (const double ratio : {1.0, 1.25, 1.5, 2.0}) {
-    c.bodies.diameter_ratio = ratio;
-    all.ratio.push_back(ratio);
-    if (ratio == 1) {
-      all.onset.push_back(main.onset());
-      continue;
-    }
-    const Ensemble e(fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered, Protocol::steps);
-    if (e.size() < 2) {
-      all.ratio.pop_back();
-      continue;
-    }
+  fmt::print("\n| | σ/edge | packings | first jam | mean onset |\n|---|---|---|---|---|\n");
+  const auto add = [&](const Ensemble& e) {
+    if (e.size() < 2) return;
+    all.ratio.push_back(c.bodies.diameter_ratio);
     all.onset.push_back(e.onset());
-    print_row(e, c);
+    fmt::print("| {} | {} | {} | {} | {} |\n", main.name(), c.bodies.diameter_ratio, e.size(), show(e.first(), 4), show(e.onset(), 4));
+    std::fflush(stdout);
+  };
+  for (const double ratio : {0.9, 1.0, 1.1, 1.25, 1.5, 2.0}) {
+    c.bodies.diameter_ratio = ratio;
+    if (ratio == 1) add(main);
+    else add({fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered, Protocol::steps});
   }
   fmt::print("\n{} jam at the published {} at σ/edge = {}\n\n", main.name(), published, show(all.ratio_at(published), 2));
 }
@@ -244,15 +239,15 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
     const Ensemble e(name, store, c, seeds, highest_excess, area, protocol);
     if (e.size() < 2) return;
     fmt::print("{}", heading);
-    print_row(e, c);
-    fractions.push_back(over_fraction(e, label));
-    scaled.push_back(over_excess(e, label));
+    print_row(e, c.bodies.count);
+    fractions.push_back(mean_curve(e, label, {e.zero().value, e.slope().value}));
+    scaled.push_back(mean_curve(e, label, {e.onset().value, e.slope().value}));
     if (protocol == Protocol::steps) scan(store, c, e, published);
     else fmt::print("\n");
   };
-  study("discs", "smooth discs", disc_packings, Area::sum, Protocol::root, 0.836);
-  study("rough_discs", "rough discs", rough_packings, Area::covered, Protocol::steps, 0.79);
-  study("shells", "shells", shell_packings, Area::covered, Protocol::steps, 0.783);
+  study("discs", "smooth discs, P/k_c", disc_packings, Area::sum, Protocol::root, 0.836);
+  study("rough_discs", "rough discs, P/k_c", rough_packings, Area::covered, Protocol::steps, 0.79);
+  study("shells", "shells, P/k_a a_0", shell_packings, Area::covered, Protocol::steps, 0.783);
   draw_pressure_plot(out + "/jamming_onset.png", fractions);
   draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
   return 0;
@@ -264,8 +259,8 @@ int check(const std::string& cases) {
   const Ensemble e("discs", Store("", Store::Missing::make), c, disc_packings, highest_excess, Area::sum, Protocol::root);
   if (e.size() < 2) return 1;
   fmt::print("{}", heading);
-  print_row(e, c);
-  const double exponent = e.exponent(lowest_excess, highest_excess).value, zero = e.zero_over_fraction();
+  print_row(e, c.bodies.count);
+  const double exponent = e.exponent({lowest_excess, highest_excess}).value, zero = e.zero_over_fraction();
   const bool right = e.size() == disc_packings && std::abs(zero - 0.836) < 0.004 && std::abs(exponent - 1) < 0.05;
   fmt::print("line over packing fraction: zero {:.4f}; exponent {:.3f}; {}\n", zero, exponent,
              right ? "as published" : "NOT as published: onset 0.836 +- 0.004, exponent 1 +- 0.05");

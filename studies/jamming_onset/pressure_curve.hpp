@@ -81,7 +81,8 @@ class Measurement {
       for (int k = 0; k < 5; ++k) list.push_back(1e-4 * std::pow(10, k / 4.0));
       for (double x = 2e-3; x < highest + 1e-6; x += 2e-3) list.push_back(x);
     } else {
-      list = {1e-3, 2e-3, 3.5e-3, 5e-3, 7.5e-3, 1e-2, 1.25e-2, 1.5e-2, 2e-2, 2.5e-2, 3e-2};
+      if (highest > 0.01) list = {2e-4, 4e-4, 7e-4};  // for the exponent
+      list.insert(list.end(), {1e-3, 2e-3, 3.5e-3, 5e-3, 7.5e-3, 1e-2, 1.25e-2, 1.5e-2, 2e-2, 2.5e-2, 3e-2});
     }
     std::erase_if(list, [&](double x) { return x > highest + 1e-6; });
     return list;
