@@ -24,9 +24,9 @@ constexpr double lowest_excess = 0.9e-4, highest_excess = 0.03;
 struct Range {
   double low, high;
 };
-constexpr Range near{2.4e-4, 2.6e-3}, middle{0.9e-3, 0.0105}, far{2.9e-3, 0.0305};
+constexpr Range near{2.4e-4, 4.1e-3}, middle{0.9e-3, 0.0105}, far{2.9e-3, 0.0305};
 constexpr const char* heading =
-    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.003 | 0.001-0.01 | 0.003-0.03 | "
+    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.004 | 0.001-0.01 | 0.003-0.03 | "
     "unconverged |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 struct Estimate {
@@ -87,7 +87,7 @@ class Ensemble {
     return sum;
   }
 
-  /// Zero of the straight line through the mean pressure over the packing fractions at which every packing is jammed and was measured.
+  /// Zero of the straight line through the mean pressure over packing fractions at which every packing is jammed.
   double zero_over_fraction() const {
     double low = 0, high = 1;
     for (const PressureCurve& c : curves_) {
@@ -200,7 +200,7 @@ struct Scan {
   std::vector<double> ratio;
   std::vector<Estimate> onset;
 
-  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; its error is that of the two onsets.
+  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; the error comes from theirs.
   Estimate ratio_at(double wanted) const {
     for (std::size_t k = 1; k < ratio.size(); ++k) {
       const Estimate &low = onset[k - 1], &high = onset[k];
@@ -247,7 +247,7 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
   };
   study("discs", "smooth discs, P/k_c", disc_packings, Area::sum, Protocol::root, 0.836);
   study("rough_discs", "rough discs, P/k_c", rough_packings, Area::covered, Protocol::steps, 0.79);
-  study("shells", "shells, P/k_a a_0", shell_packings, Area::covered, Protocol::steps, 0.783);
+  study("shells", "shells, P/(k_a a0)", shell_packings, Area::covered, Protocol::steps, 0.783);
   draw_pressure_plot(out + "/jamming_onset.png", fractions);
   draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
   return 0;
