@@ -245,8 +245,8 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
     if (protocol == Protocol::steps) scan(store, c, e, published);
     else fmt::print("\n");
   };
-  study("discs", "smooth discs, P/k_c", disc_packings, Area::sum, Protocol::root, 0.836);
-  study("rough_discs", "rough discs, P/k_c", rough_packings, Area::covered, Protocol::steps, 0.79);
+  study("discs", "smooth discs, P σ²/k_c", disc_packings, Area::sum, Protocol::root, 0.836);
+  study("rough_discs", "rough discs, P σ²/k_c", rough_packings, Area::covered, Protocol::steps, 0.79);
   study("shells", "shells, P/(k_a a0)", shell_packings, Area::covered, Protocol::steps, 0.783);
   draw_pressure_plot(out + "/jamming_onset.png", fractions);
   draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
