@@ -115,6 +115,16 @@ TEST_F(PolygonSnapshot, RepeatsABodyAcrossTheBoundary) {
   EXPECT_EQ(fills(across, first), 1 + 4 + 1 + 2);  // of the image at the right side two vertices show
 }
 
+TEST_F(PolygonSnapshot, SmoothBodiesHaveNoDiscsOnTheirVertices) {
+  PolygonScene scene = middle_scene();
+  scene.contacts.clear();
+  const std::string first = "46.666667%,66.666667%,86.666667%";
+  PolygonSnapshotOptions smooth;
+  smooth.boundary = Boundary::smooth;
+  EXPECT_EQ(fills(svg(scene), first), 1 + 4);
+  EXPECT_EQ(fills(svg(scene, smooth), first), 1);
+}
+
 TEST_F(PolygonSnapshot, WritesEveryFormat) {
   PolygonSnapshotOptions options;
   options.color = BodyScalar{"pressure P", "", {1e-7, 0, 2.5e-7}};

@@ -80,6 +80,7 @@ PolygonSnapshotOptions options_for(const RunFile& run, const RunInfo& info, cons
   PolygonSnapshotOptions options;
   options.color = scalar(run, scene, color);
   options.walls = walls_of(run, info, scene);
+  if (run.resolved_case().contact.kind == "smooth") options.boundary = Boundary::smooth;
   options.title = title_of(run, scene);
   return options;
 }

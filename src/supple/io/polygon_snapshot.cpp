@@ -101,9 +101,9 @@ class PolygonPage {
   void draw_matter(double whiteness, Lies skipped) {
     const auto shade = [&](Color c) { return mix(c, white, whiteness); };
     for (const BodyImage& image : bodies_)
-      if (image.lies != skipped) fill(image, shade(color_[image.body]));
+      if (image.lies != skipped) fill(image, shade(color_[image.body]), shade(ink));
     for (const BodyImage& image : bodies_) {
-      if (image.lies == skipped) continue;
+      if (image.lies == skipped || is_smooth(image.body)) continue;
       for (const std::vector<Vec2>& piece : pieces_[image.body])
         canvas_.polyline(on_page(piece, image.shift), {shade(ink), outline_});
     }
@@ -111,10 +111,21 @@ class PolygonPage {
       if (line.lies != skipped) draw_contact(line, shade(white), shade(contact_color));
   }
 
+  bool is_smooth(std::int32_t body) const {
+    const auto [first, last] = scene_.body(body);
+    return options_.boundary == Boundary::smooth && last - first > 1;
+  }
+
   /// The polygon, the discs on its vertices and, thinly, the ring through them.
-  void fill(const BodyImage& image, Color color) {
+  void fill(const BodyImage& image, Color color, Color rim) {
     const std::vector<Point> ring = ring_on_page(image);
     const std::int32_t first = scene_.body(image.body).first;
+    if (is_smooth(image.body)) {  // lines with round corners cover all within the radius of the polygon
+      const double width = 2 * scene_.radius[first] * page_.scale();
+      canvas_.polygon(ring, {{}, Pen{rim, width + outline_}});
+      canvas_.polygon(ring, {color, Pen{color, std::max(width - outline_, 0.0)}});
+      return;
+    }
     if (ring.size() > 2) canvas_.polygon(ring, {color, {}});
     for (std::size_t k = 0; k < ring.size(); ++k)
       canvas_.circle(ring[k], scene_.radius[first + static_cast<std::int32_t>(k)] * page_.scale(), {color, {}});

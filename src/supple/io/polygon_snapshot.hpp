@@ -22,9 +22,13 @@ struct Walls {
   bool left = false, right = false, bottom = false, top = false;
 };
 
+/// How far a polygon reaches: the discs on its vertices, or everywhere their radius.
+enum class Boundary { rough, smooth };
+
 struct PolygonSnapshotOptions {
   std::optional<BodyScalar> color = {};  ///< empty: bodies that touch differ in colour
   std::optional<Walls> walls = {};       ///< empty: every side that is not periodic
+  Boundary boundary = Boundary::rough;
   std::string title = {};                ///< empty: time and strain, where they are not 0
   std::string length_unit = {};          ///< of the scale bar, as "m" (SI prefixes are added); empty: dimensionless
   std::string force_unit = {};
