@@ -3,8 +3,9 @@
 
 namespace supple::bench {
 
-/// Time of a force evaluation per vertex, of its parts, and of an iteration of FIRE, for shells of 20 vertices; `slower` is how many
-/// times slower this machine is than the one of the published figures (0: unknown).
+/// Time of a force evaluation per vertex, of its parts, and of an iteration of FIRE, for shells of 20
+/// vertices; `slower` is how many times slower this machine is than the one of the published figures (0:
+/// unknown).
 void print_shells(double slower);
 
 /// The same evaluation from 1e2 to 1e6 vertices, beside what arithmetic and memory alone would take.

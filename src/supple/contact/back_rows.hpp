@@ -8,7 +8,8 @@
 
 namespace supple {
 
-/// Rows are sorted by their first site; a site that gathers its contacts also needs those in which it is the second one.
+/// Rows are sorted by their first site; a site that gathers its contacts also needs those in which it is the
+/// second one.
 class BackRows {
  public:
   /// Finds them again if the rows have changed.
@@ -25,7 +26,9 @@ class BackRows {
     version_ = pairs.version;
   }
   /// Of site i, in ascending order of the first site.
-  std::span<const std::int32_t> of(std::int32_t i) const { return {row_.data() + begin_[i], row_.data() + begin_[i + 1]}; }
+  std::span<const std::int32_t> of(std::int32_t i) const {
+    return {row_.data() + begin_[i], row_.data() + begin_[i + 1]};
+  }
 
  private:
   std::vector<std::int32_t> begin_, row_;

@@ -19,8 +19,10 @@ struct RoughContacts::Sum {
 
 /// visit(row, push) for each row of [begin, end) that touches, in order; push: the force on the second site.
 template <bool energies, class Visit>
-void RoughContacts::for_touching(const System<2>& system, int begin, int end, Sum& sum, const Visit& visit) const {
-  const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(), *image = images_.index().data();
+void RoughContacts::for_touching(const System<2>& system, int begin, int end, Sum& sum,
+                                 const Visit& visit) const {
+  const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(),
+                     *image = images_.index().data();
   const Vec2 *position = system.state.position.data(), *shifts = shifts_.data();
   const double* radius = system.state.radius.data();
   const Harmonic law_here = law();
@@ -50,7 +52,8 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, Evaluation<2>
   if (!serial) push_.assign(static_cast<std::size_t>(pairs.size()), Vec2{});
   const Sum total = sum_chunks<Sum>(sites, [&](std::int64_t begin, std::int64_t end) {
     Sum sum;
-    const auto scatter = [&, first = pairs.first.data(), second = pairs.second.data(), force = out.force.data()](int row, const Vec2& push) {
+    const auto scatter = [&, first = pairs.first.data(), second = pairs.second.data(),
+                          force = out.force.data()](int row, const Vec2& push) {
       force[first[row]] -= push;
       force[second[row]] += push;
     };

@@ -6,8 +6,8 @@
 
 namespace supple {
 
-/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2. Bodies of one site are smooth discs. Same bits
-/// for any number of threads.
+/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2. Bodies of one site
+/// are smooth discs. Same bits for any number of threads.
 class RoughContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;

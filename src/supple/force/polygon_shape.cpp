@@ -1,11 +1,8 @@
 #include "supple/force/polygon_shape.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <memory>
-
 #include "supple/core/multiply_add.hpp"
 #include "supple/force/ring_hessian.hpp"
+#include "supple/force/rings.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "supple/geometry/inverse_root.hpp"
 #include "supple/geometry/turning_angle.hpp"
@@ -14,103 +11,7 @@ namespace supple {
 
 namespace {
 
-/// Loops over a ring go in blocks of so many numbers, each of which becomes vector instructions without a remainder: they run on past
-/// the end of the ring, over numbers that nobody reads.
-constexpr int block = 8;
-constexpr int padded(int n) { return (n + block - 1) / block * block; }
-
-/// body(v) for v in [0, n) and on to the end of the block, in any order.
-template <class Body>
-[[gnu::always_inline]] inline void for_blocks(int n, const Body& body) {
-  for (int b = 0; b < n; b += block)
-#pragma GCC ivdep
-    for (int v = b; v < b + block; ++v) body(v);
-}
-
-/// Numbers that a ring has for each vertex, and the edge that leaves it.
-enum class Row {
-  edge_x, edge_y, per_length,  ///< edge vector, 1/length
-  bent,                        ///< angle beyond the rest angle
-  part,                        ///< something to be summed
-  start_x, start_y,            ///< force of an edge on the vertex where it starts
-  end_x, end_y,                ///< and on the one where it ends
-  rest_length, rest_angle, position, position_too,  ///< used by the last rings of all
-  count
-};
-
-/// One ring. Row [-1] is that of the last vertex again and [n] of the first one, so that no loop has to close the ring; [-1] is the
-/// last place of the row before, which is written earlier or in the same loop.
-struct Ring {
-  int body, n, stride;
-  double* numbers = nullptr;
-  const Vec2* position = nullptr;  ///< these may be read to the end of the block
-  const double *rest_length = nullptr, *rest_angle = nullptr;
-  double pressure = 0;
-  bool sharp = false;  ///< some corner is beyond least_blunt_cosine
-
-  Ring(int b, int vertices) : body(b), n(vertices), stride(padded(n + 2)) {}
-  double* operator[](Row row) const { return numbers + static_cast<int>(row) * stride; }
-  int size() const { return static_cast<int>(Row::count) * stride; }
-};
-
-/// Some rings that go through each pass together: what one pass stores has left the processor's store buffer when the next one reads
-/// it in other pieces. With one small ring at a time that wait is half of all time.
-struct Group {
-  static constexpr int sites = 160;
-  std::vector<Ring> rings;
-  std::vector<double> numbers;
-
-  /// Gives the rings their rows, aligned, and what they read.
-  void place(const System<2>& system) {
-    std::size_t size = 2 * block;
-    for (const Ring& r : rings) size += static_cast<std::size_t>(r.size());
-    if (numbers.size() < size) numbers.assign(size, 1.0);
-    std::size_t space = (size - 1) * sizeof(double);
-    void* at = numbers.data() + 1;
-    auto* next = static_cast<double*>(std::align(block * sizeof(double), sizeof(double), at, space));
-    for (Ring& r : rings) {
-      r.numbers = next;
-      next += r.size();
-      point(system, r);
-    }
-  }
-
- private:
-  /// Where less than a block is left behind a ring, it reads copies.
-  static void point(const System<2>& system, Ring& r) {
-    const Topology<2>& t = system.topology;
-    const auto reads = [&](const auto& values, std::int32_t begin, auto* copy) -> decltype(values.data()) {
-      if (begin + padded(r.n) < static_cast<int>(values.size())) return values.data() + begin;
-      std::copy_n(values.begin() + begin, std::min<std::size_t>(r.n, values.size() - begin), copy);
-      return copy;
-    };
-    r.position = reads(system.state.position, t.begin[r.body], reinterpret_cast<Vec2*>(r[Row::position]));
-    r.rest_length = reads(system.shape.rest_facet, t.facet_begin[r.body], r[Row::rest_length]);
-    r.rest_angle = reads(system.shape.rest_hinge, t.hinge_begin[r.body], r[Row::rest_angle]);
-  }
-};
-
-/// A sum over rings in lanes, for the processor to overlap.
-struct LaneSum {
-  typedef double Lanes __attribute__((vector_size(block * sizeof(double))));
-  Lanes lanes{};
-
-  void add(const double* part, int n) {
-    constexpr Lanes index{0, 1, 2, 3, 4, 5, 6, 7}, zero{};
-    for (int v = 0; v < n; v += block) {
-      Lanes here;
-      std::memcpy(&here, part + v, sizeof here);
-      lanes += index < static_cast<double>(n - v) ? here : zero;
-    }
-  }
-  double total() const {
-    return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
-  }
-  LaneSum& operator+=(const LaneSum& b) {
-    lanes += b.lanes;
-    return *this;
-  }
-};
+using namespace rings;
 
 double sum_of_parts(const Ring& r, int n) {
   LaneSum sum;
@@ -128,9 +29,11 @@ struct ShapeSum {
   }
 };
 
-/// Edge vectors and lengths, and the parts of twice the area; none of the last edge, as the first vertex is the origin.
+/// Edge vectors and lengths, and the parts of twice the area; none of the last edge, as the first vertex is
+/// the origin.
 void measure_edges(const Ring& r) {
-  double *const edge_x = r[Row::edge_x], *const edge_y = r[Row::edge_y], *const per_length = r[Row::per_length];
+  double *const edge_x = r[Row::edge_x], *const edge_y = r[Row::edge_y],
+                *const per_length = r[Row::per_length];
   const auto edge = [=](int v, double dx, double dy) {
     edge_x[v] = dx;
     edge_y[v] = dy;
@@ -151,8 +54,8 @@ void measure_edges(const Ring& r) {
 template <bool blunt>
 void measure_angles(Ring& r) {
   double* const bent = r[Row::bent];
-  for_blocks(r.n, [bent, edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], rest = r.rest_angle,
-                   is_sharp = r[Row::part]](int v) {
+  for_blocks(r.n, [bent, edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length],
+                   rest = r.rest_angle, is_sharp = r[Row::part]](int v) {
     const double per_product = per_length[v - 1] * per_length[v];
     const double sine = per_product * multiply_add(edge_x[v - 1], edge_y[v], -(edge_y[v - 1] * edge_x[v]));
     const double cosine = per_product * multiply_add(edge_x[v - 1], edge_x[v], edge_y[v - 1] * edge_y[v]);
@@ -172,9 +75,10 @@ void measure_angles(Ring& r) {
 template <bool bends>
 void push_ends(const ShapeStiffness& k, const Ring& r) {
   double *const end_x = r[Row::end_x], *const end_y = r[Row::end_y];
-  for_blocks(r.n, [end_x, end_y, start_x = r[Row::start_x], start_y = r[Row::start_y], bent = r[Row::bent], rest = r.rest_length,
-                   edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], stretch = k.facet,
-                   tension = k.tension, bend = k.hinge, half_pressure = 0.5 * r.pressure](int v) {
+  for_blocks(r.n, [end_x, end_y, start_x = r[Row::start_x], start_y = r[Row::start_y], bent = r[Row::bent],
+                   rest = r.rest_length, edge_x = r[Row::edge_x], edge_y = r[Row::edge_y],
+                   per_length = r[Row::per_length], stretch = k.facet, tension = k.tension, bend = k.hinge,
+                   half_pressure = 0.5 * r.pressure](int v) {
     const double pull = multiply_add(multiply_add(-stretch, rest[v], tension), per_length[v], stretch);
     double along_x = pull * edge_x[v], along_y = pull * edge_y[v];
     if constexpr (bends) {
@@ -190,8 +94,8 @@ void push_ends(const ShapeStiffness& k, const Ring& r) {
 }
 
 void add_forces(const Ring& r, Vec2* __restrict force) {
-  const double *__restrict start_x = r[Row::start_x], *__restrict start_y = r[Row::start_y];
-  const double *__restrict end_x = r[Row::end_x] - 1, *__restrict end_y = r[Row::end_y] - 1;
+  const double* __restrict start_x = r[Row::start_x], * __restrict start_y = r[Row::start_y];
+  const double* __restrict end_x = r[Row::end_x] - 1, * __restrict end_y = r[Row::end_y] - 1;
   const int n = r.n;
   for (int v = 0; v < n; ++v) {
     force[v][0] += start_x[v] + end_x[v];
@@ -201,9 +105,11 @@ void add_forces(const Ring& r, Vec2* __restrict force) {
 
 template <bool bends>
 void add_energies(const ShapeStiffness& k, const Ring& r, ShapeSum& sum) {
-  for_blocks(r.n, [edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length], bent = r[Row::bent],
-                   rest = r.rest_length, part = r[Row::part], stretch = k.facet, tension = k.tension, bend = k.hinge](int v) {
-    const double length = (edge_x[v] * edge_x[v] + edge_y[v] * edge_y[v]) * per_length[v], beyond = length - rest[v];
+  for_blocks(r.n, [edge_x = r[Row::edge_x], edge_y = r[Row::edge_y], per_length = r[Row::per_length],
+                   bent = r[Row::bent], rest = r.rest_length, part = r[Row::part], stretch = k.facet,
+                   tension = k.tension, bend = k.hinge](int v) {
+    const double length = (edge_x[v] * edge_x[v] + edge_y[v] * edge_y[v]) * per_length[v],
+                 beyond = length - rest[v];
     part[v] = 0.5 * stretch * beyond * beyond + tension * length;
     if constexpr (bends) part[v] += 0.5 * bend * bent[v] * bent[v];
   });
@@ -214,8 +120,9 @@ void add_energies(const ShapeStiffness& k, const Ring& r, ShapeSum& sum) {
 /// Forces on the vertices times where they are; edges are no longer needed.
 void add_virial(const Ring& r, ShapeSum& sum) {
   double* const product[2][2] = {{r[Row::edge_x], r[Row::edge_y]}, {r[Row::per_length], r[Row::bent]}};
-  for_blocks(r.n, [xx = product[0][0], xy = product[0][1], yx = product[1][0], yy = product[1][1], position = r.position,
-                   origin = r.position[0], start_x = r[Row::start_x], start_y = r[Row::start_y], end_x = r[Row::end_x], end_y = r[Row::end_y]](int v) {
+  for_blocks(r.n, [xx = product[0][0], xy = product[0][1], yx = product[1][0], yy = product[1][1],
+                   position = r.position, origin = r.position[0], start_x = r[Row::start_x],
+                   start_y = r[Row::start_y], end_x = r[Row::end_x], end_y = r[Row::end_y]](int v) {
     const double force_x = start_x[v] + end_x[v - 1], force_y = start_y[v] + end_y[v - 1];
     const double x = position[v][0] - origin[0], y = position[v][1] - origin[1];
     xx[v] = force_x * x, xy[v] = force_x * y;
@@ -232,21 +139,28 @@ template <class Pass>
 }
 
 void add_group(const System<2>& system, Detail detail, Group& g, Evaluation<2>& out, ShapeSum& sum) {
-  const auto stiffness = [&](const Ring& r) -> const ShapeStiffness& { return system.shape.stiffness[r.body]; };
+  const auto stiffness = [&](const Ring& r) -> const ShapeStiffness& {
+    return system.shape.stiffness[r.body];
+  };
   g.place(system);
   for_rings(g.rings, [](Ring& r) { measure_edges(r); });
-  for_rings(g.rings, [&](Ring& r) { r.pressure = stiffness(r).volume * (0.5 * sum_of_parts(r, r.n - 1) - system.shape.rest_volume[r.body]); });
+  for_rings(g.rings, [&](Ring& r) {
+    r.pressure = stiffness(r).volume * (0.5 * sum_of_parts(r, r.n - 1) - system.shape.rest_volume[r.body]);
+  });
   for_rings(g.rings, [&](Ring& r) {
     if (stiffness(r).hinge != 0) measure_angles<true>(r);
   });
   for_rings(g.rings, [&](Ring& r) {
     if (r.sharp) measure_angles<false>(r);
   });
-  for_rings(g.rings, [&](Ring& r) { stiffness(r).hinge != 0 ? push_ends<true>(stiffness(r), r) : push_ends<false>(stiffness(r), r); });
+  for_rings(g.rings, [&](Ring& r) {
+    stiffness(r).hinge != 0 ? push_ends<true>(stiffness(r), r) : push_ends<false>(stiffness(r), r);
+  });
   for_rings(g.rings, [&](Ring& r) { add_forces(r, &out.force[system.topology.begin[r.body]]); });
   if (detail == Detail::forces) return;
   for_rings(g.rings, [&](Ring& r) {
-    stiffness(r).hinge != 0 ? add_energies<true>(stiffness(r), r, sum) : add_energies<false>(stiffness(r), r, sum);
+    stiffness(r).hinge != 0 ? add_energies<true>(stiffness(r), r, sum)
+                            : add_energies<false>(stiffness(r), r, sum);
   });
   for_rings(g.rings, [&](Ring& r) { add_virial(r, sum); });
 }
@@ -262,22 +176,22 @@ double PolygonShape::energy(const System<2>& system) const {
 void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const {
   if (system.shape.empty()) return;
   const Topology<2>& t = system.topology;
-  const ShapeSum total = sum_chunks<ShapeSum>(
-      static_cast<std::int64_t>(system.shape.stiffness.size()), [&](std::int64_t begin, std::int64_t end) {
-        static thread_local Group group;
-        ShapeSum sum;
-        int sites = 0;
-        group.rings.clear();
-        for (auto b = static_cast<int>(begin); b < end; ++b) {
-          const int n = t.facet_begin[b + 1] - t.facet_begin[b];
-          if (n > 0) group.rings.emplace_back(b, n);
-          if ((sites += n) < Group::sites && b + 1 < end) continue;
-          add_group(system, detail, group, out, sum);
-          group.rings.clear();
-          sites = 0;
-        }
-        return sum;
-      });
+  const ShapeSum total = sum_chunks<ShapeSum>(static_cast<std::int64_t>(system.shape.stiffness.size()),
+                                              [&](std::int64_t begin, std::int64_t end) {
+                                                static thread_local Group group;
+                                                ShapeSum sum;
+                                                int sites = 0;
+                                                group.rings.clear();
+                                                for (auto b = static_cast<int>(begin); b < end; ++b) {
+                                                  const int n = t.facet_begin[b + 1] - t.facet_begin[b];
+                                                  if (n > 0) group.rings.emplace_back(b, n);
+                                                  if ((sites += n) < Group::sites && b + 1 < end) continue;
+                                                  add_group(system, detail, group, out, sum);
+                                                  group.rings.clear();
+                                                  sites = 0;
+                                                }
+                                                return sum;
+                                              });
   if (detail == Detail::forces) return;
   out.energy.terms += total.energy.total();
   for (int c = 0; c < 2; ++c)
@@ -285,7 +199,8 @@ void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2
 }
 
 void PolygonShape::add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const {
-  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) add_ring_hessian(system, static_cast<int>(b), blocks);
+  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b)
+    add_ring_hessian(system, static_cast<int>(b), blocks);
 }
 
 void PolygonShape::add_sparse_hessian(const System<2>& system, HessianBlocks<2>& blocks) const {

@@ -1,4 +1,5 @@
-/// The angle between two vectors without libm: free of branches, so that loops over it become vector instructions.
+/// The angle between two vectors without libm: free of branches, so that loops over it become vector
+/// instructions.
 #pragma once
 #include <cmath>
 
@@ -6,9 +7,10 @@
 
 namespace supple {
 
-/// atan2(sine, cosine), where hypot(sine, cosine) = product (of the two lengths). Half of the angle has the tangent
-/// |sine|/(product + cosine); it is reduced to at most tan(pi/8), where a polynomial of degree 23 serves. Measured error:
-/// 5e-16 up to 1.6 rad, 5e-15 up to 3.1; towards pi product + cosine cancels (1e-9 at pi - 1e-7: a spike, as no particle has).
+/// atan2(sine, cosine), where hypot(sine, cosine) = product (of the two lengths). Half of the angle has the
+/// tangent |sine|/(product + cosine); it is reduced to at most tan(pi/8), where a polynomial of degree 23
+/// serves. Measured error: 5e-16 up to 1.6 rad, 5e-15 up to 3.1; towards pi product + cosine cancels (1e-9 at
+/// pi - 1e-7: a spike, as no particle has).
 inline double turning_angle(double sine, double cosine, double product) {
   constexpr double quarter = 0.78539816339744830961, tan_eighth = 0.41421356237309504880;
   const double up = std::abs(sine), down = product + cosine;
@@ -20,7 +22,8 @@ inline double turning_angle(double sine, double cosine, double product) {
   // Chebyshev interpolation of atan(t)/t in z on |t| <= tan(pi/8): error 2e-17.
   // In three parts, for short chains of operations.
   const double z2 = z * z, z4 = z2 * z2;
-  const double low_part = (1.0 - 0.3333333333333312 * z) + (0.19999999999940893 - 0.14285714279250245 * z) * z2;
+  const double low_part =
+      (1.0 - 0.3333333333333312 * z) + (0.19999999999940893 - 0.14285714279250245 * z) * z2;
   const double middle =
       (0.11111110744919658 - 0.09090896809064027 * z) + (0.07692045330902225 - 0.06662951813629191 * z) * z2;
   const double high_part =
@@ -34,8 +37,9 @@ inline double turning_angle(double sine, double cosine, double product) {
 /// Least cosine that blunt_turning_angle takes: 60 degrees either way.
 inline constexpr double least_blunt_cosine = 0.5;
 
-/// The same for two unit vectors at no more than 60 degrees, half the work: theta = sin(theta) g(1 - cos(theta)) with g(w) =
-/// acos(1 - w)/sqrt(w (2 - w)), which is smooth, so that nothing is divided. Measured error: 3e-16.
+/// The same for two unit vectors at no more than 60 degrees, half the work: theta = sin(theta) g(1 -
+/// cos(theta)) with g(w) = acos(1 - w)/sqrt(w (2 - w)), which is smooth, so that nothing is divided. Measured
+/// error: 3e-16.
 inline double blunt_turning_angle(double sine, double cosine) {
   const double w = 1 - cosine, w2 = w * w, w4 = w2 * w2;
   // Chebyshev interpolation on 0 <= w <= 1/2: relative error 5e-17. In parts, for short chains of operations.

@@ -1,0 +1,120 @@
+/// Numbers of polygons laid out for vector instructions: what PolygonShape works on.
+#pragma once
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "supple/model/system.hpp"
+
+namespace supple::rings {
+
+/// Loops over a ring go in blocks of so many numbers, each of which becomes vector instructions without a
+/// remainder: they run on past the end of the ring, over numbers that nobody reads.
+inline constexpr int block = 8;
+constexpr int padded(int n) { return (n + block - 1) / block * block; }
+
+/// body(v) for v in [0, n) and on to the end of the block, in any order.
+template <class Body>
+[[gnu::always_inline]] inline void for_blocks(int n, const Body& body) {
+  for (int b = 0; b < n; b += block)
+#pragma GCC ivdep
+    for (int v = b; v < b + block; ++v) body(v);
+}
+
+/// Numbers that a ring has for each vertex, and the edge that leaves it.
+enum class Row {
+  // The edge that leaves the vertex, and 1/length.
+  edge_x,
+  edge_y,
+  per_length,
+  bent,  ///< angle at the vertex beyond the rest angle
+  part,  ///< something to be summed
+  // Forces of the edge on the vertex where it starts and on the one where it ends.
+  start_x,
+  start_y,
+  end_x,
+  end_y,
+  // Copies, which only the last rings of all need.
+  rest_length,
+  rest_angle,
+  position,
+  position_too,
+  count
+};
+
+/// One ring. Row [-1] is that of the last vertex again and [n] of the first one, so that no loop has to close
+/// the ring; [-1] is the last place of the row before, which is written earlier or in the same loop.
+struct Ring {
+  int body, n, stride;
+  double* numbers = nullptr;
+  const Vec2* position = nullptr;  ///< these may be read to the end of the block
+  const double *rest_length = nullptr, *rest_angle = nullptr;
+  double pressure = 0;
+  bool sharp = false;  ///< some corner is beyond least_blunt_cosine
+
+  Ring(int b, int vertices) : body(b), n(vertices), stride(padded(n + 2)) {}
+  double* operator[](Row row) const { return numbers + static_cast<int>(row) * stride; }
+  int size() const { return static_cast<int>(Row::count) * stride; }
+};
+
+/// Some rings that go through each pass together: what one pass stores has left the processor's store buffer
+/// when the next one reads it in other pieces. With one small ring at a time that wait is half of all time.
+struct Group {
+  static constexpr int sites = 160;
+  std::vector<Ring> rings;
+  std::vector<double> numbers;
+
+  /// Gives the rings their rows, aligned, and what they read.
+  void place(const System<2>& system) {
+    std::size_t size = 2 * block;
+    for (const Ring& r : rings) size += static_cast<std::size_t>(r.size());
+    if (numbers.size() < size) numbers.assign(size, 1.0);
+    std::size_t space = (size - 1) * sizeof(double);
+    void* at = numbers.data() + 1;
+    auto* next = static_cast<double*>(std::align(block * sizeof(double), sizeof(double), at, space));
+    for (Ring& r : rings) {
+      r.numbers = next;
+      next += r.size();
+      point(system, r);
+    }
+  }
+
+ private:
+  /// Where less than a block is left behind a ring, it reads copies.
+  static void point(const System<2>& system, Ring& r) {
+    const Topology<2>& t = system.topology;
+    const auto reads = [&](const auto& values, std::int32_t begin, auto* copy) -> decltype(values.data()) {
+      if (begin + padded(r.n) < static_cast<int>(values.size())) return values.data() + begin;
+      std::copy_n(values.begin() + begin, std::min<std::size_t>(r.n, values.size() - begin), copy);
+      return copy;
+    };
+    r.position = reads(system.state.position, t.begin[r.body], reinterpret_cast<Vec2*>(r[Row::position]));
+    r.rest_length = reads(system.shape.rest_facet, t.facet_begin[r.body], r[Row::rest_length]);
+    r.rest_angle = reads(system.shape.rest_hinge, t.hinge_begin[r.body], r[Row::rest_angle]);
+  }
+};
+
+/// A sum over rings in lanes, for the processor to overlap.
+struct LaneSum {
+  typedef double Lanes __attribute__((vector_size(block * sizeof(double))));
+  Lanes lanes{};
+
+  void add(const double* part, int n) {
+    constexpr Lanes index{0, 1, 2, 3, 4, 5, 6, 7}, zero{};
+    for (int v = 0; v < n; v += block) {
+      Lanes here;
+      std::memcpy(&here, part + v, sizeof here);
+      lanes += index < static_cast<double>(n - v) ? here : zero;
+    }
+  }
+  double total() const {
+    return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+  }
+  LaneSum& operator+=(const LaneSum& b) {
+    lanes += b.lanes;
+    return *this;
+  }
+};
+
+}  // namespace supple::rings
