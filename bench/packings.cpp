@@ -16,6 +16,7 @@ Case shell_case(int count, int vertices) {
   c.bodies.k_a = c.bodies.k_l = c.contact.k_c = 1;
   c.bodies.k_b = 0.01;
   c.jamming.pressure_kind = "contact";
+  c.jamming.search = "pressure";
   c.jamming.window = 1;
   c.minimise.force_tolerance = 1e-9;
   return c;

@@ -83,6 +83,30 @@ TEST_P(JammingOf, ReachesTheWindow) {
   EXPECT_TRUE(recorder.warnings.empty()) << recorder.warnings.front();
 }
 
+/// The same by minima of the enthalpy, of both pressures; contacts end as hard as they were.
+TEST_P(JammingOf, ReachesTheWindowAtConstantPressure) {
+  for (const char* kind : {"full", "contact"}) {
+    Case c = small_case(GetParam());
+    c.jamming.search = "pressure";
+    c.jamming.pressure_kind = kind;
+    Packing packing = make_packing(c, nullptr, 0.4);
+    const double stiffness = packing.field->bodies()->law().stiffness;
+    const JamProgress end = jam(packing, jam_spec(c));
+    EXPECT_EQ(packing.field->bodies()->law().stiffness, stiffness);
+    EXPECT_TRUE(end.last.converged);
+    EXPECT_EQ(end.unconverged, 0);
+    const PackingState s = observe(packing);
+    const double p = packing.contact_pressure ? s.contact_pressure : s.full_pressure;
+    EXPECT_GT(p, c.jamming.pressure);
+    EXPECT_LT(p, c.jamming.pressure * (1 + c.jamming.window));
+    EXPECT_GT(s.packing_fraction, 0.6);
+    EXPECT_LT(s.packing_fraction, 1);
+    Evaluation<2> out;
+    packing.field->evaluate(packing.system, Detail::forces, out);
+    EXPECT_LE(largest_net_force(packing.system, out.force), end.last.tolerance);
+  }
+}
+
 /// -dU/d(strain) is the stress, and the stresses of the particles add up to it.
 TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   Case c = small_case(GetParam());
@@ -121,13 +145,13 @@ INSTANTIATE_TEST_SUITE_P(Families, JammingOf,
                                            Family{"mixed", "shell", "rough", 0, 4, 2}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
                          [](const auto& given) { return std::string(given.param.name); });
 
-TEST(Jamming, ChapterAndRootSearchEndInTheSameWindow) {
+TEST(Jamming, AllSearchesEndInTheSameWindow) {
   Case c = small_case({"disc", "disc", "rough"});
   c.bodies.count = 16;
   c.jamming.pressure = 1e-6;
-  double phi[2];
+  double phi[3];
   int k = 0;
-  for (const char* search : {"chapter", "root"}) {
+  for (const char* search : {"chapter", "root", "pressure"}) {
     c.jamming.search = search;
     MemoryRecorder recorder;
     run_jamming(c, nullptr, recorder);
@@ -135,6 +159,7 @@ TEST(Jamming, ChapterAndRootSearchEndInTheSameWindow) {
     EXPECT_LT(recorder.get("results", "pressure"), 1.01e-6);
     phi[k++] = recorder.get("results", "packing_fraction");
   }
+  EXPECT_NEAR(phi[0], phi[2], 0.03);
   EXPECT_NEAR(phi[0], phi[1], 0.03);  // not the same packing: the way there differs
 }
 

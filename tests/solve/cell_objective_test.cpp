@@ -34,6 +34,34 @@ TEST(CellObjective, SlopeIsThatOfTheEnthalpy) {
   }
 }
 
+/// In the cell at construction; the sparse matrix has the same rows of the cell.
+TEST(CellObjective, HessianIsThatOfTheEnthalpy) {
+  Sample s;
+  make_rigid(s.system, 3);
+  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  std::vector<double> x = cell.coordinates(), above(x.size()), below(x.size());
+  SparseMatrix lower, sparse;
+  cell.hessian(x, lower);
+  cell.preconditioner(x, sparse);
+  const int n = cell.size();
+  const double h = 1e-6;
+  for (int column = 0; column < n; ++column) {
+    const double x0 = x[column];
+    x[column] = x0 + h;
+    cell.evaluate(x, above);
+    x[column] = x0 - h;
+    cell.evaluate(x, below);
+    x[column] = x0;
+    for (int row = column; row < n; ++row) {
+      const double expected = (above[row] - below[row]) / (2 * h);
+      EXPECT_NEAR(lower.coeff(row, column), expected, 1e-5 * (1 + std::abs(expected))) << row << ' ' << column;
+      if (row >= n - 2) {
+        EXPECT_EQ(sparse.coeff(row, column), lower.coeff(row, column)) << row << ' ' << column;
+      }
+    }
+  }
+}
+
 /// The same minimiser, with the cell among its numbers: it ends where the stress is the one asked for.
 TEST(CellObjective, MinimiserFindsTheCellOfAPressureAndAShearStress) {
   for (const Minimiser method : {Minimiser::fire, Minimiser::automatic}) {

@@ -29,6 +29,35 @@ TEST(Sums, AreThoseOfTheNumbers) {
   }
 }
 
+TEST(Sums, LargestSquareOfPairs) {
+  EXPECT_EQ(largest_square_of_pairs({}), 0);
+  for (const int n : {2, 6, 8, 10, 16, 22})
+    for (int at = 0; at < n; at += 2) {
+      std::vector<double> a(n, 1.0);
+      a[at] = -3;
+      a[at + 1] = 4;
+      EXPECT_EQ(largest_square_of_pairs(a), 25) << n << ' ' << at;
+    }
+}
+
+/// An objective whose gradient alone is cheaper: energies are asked for where someone looks at them, and at the end.
+TEST(Fire, ReportsTheEnergyOfTheLastPoint) {
+  struct Cheap : StiffChain {
+    using StiffChain::StiffChain;
+    double evaluate(std::span<const double> x, std::span<double> g) override { return ++with_energy, StiffChain::evaluate(x, g); }
+    void evaluate_slope(std::span<const double> x, std::span<double> g) override { StiffChain::evaluate(x, g); }
+    double tolerance() const override { return 1e-3; }
+    int with_energy = 0;
+  } chain(40, 1e3, 0.5);
+  std::vector<double> x(40, 3.0), unused(40);
+  Descent descent(chain, x);
+  descent.evaluate();
+  Fire().run(descent, 1, 10000);
+  EXPECT_TRUE(descent.finished());
+  EXPECT_EQ(descent.report.energy, chain.evaluate(x, unused));
+  EXPECT_LT(chain.with_energy, descent.report.evaluations / 4);
+}
+
 TEST(LargestEigenvalue, IsThatOfTheHessianAndMovesNothing) {
   SoftDiscs discs(60, 0.95);
   std::vector<double> x = discs.start(1), direction;

@@ -27,6 +27,7 @@ class BodyContacts {
   virtual ~BodyContacts() = default;
 
   const Harmonic& law() const { return law_; }
+  void set_law(const Harmonic& law) { law_ = law; }
   /// What the neighbour list must find for these contacts.
   virtual Meeting meeting() const = 0;
   /// Adds forces and, with Detail::energies, energy.elastic and the virial.

@@ -10,6 +10,18 @@
 
 namespace supple {
 
+void require_room(const Packing& packing) {
+  const System<2>& s = packing.system;
+  double least = 0, radius = 0;
+  for (const double r : s.state.radius) radius = std::max(radius, r);
+  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b)
+    least = std::max(least, s.topology.body_size(b) == 1 ? 4 * s.state.radius[s.topology.body_begin(b)]
+                                                         : 2 * outer_radius(s, b) + 2 * radius);
+  if (s.box.length[0] < least)
+    throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}", s.topology.body_count(s.state.size()), s.box.length[0]),
+                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least), "raise bodies.N");
+}
+
 namespace {
 
 /// A state of the search: densities are logarithms, ln phi = -2 ln L + constant.
@@ -64,25 +76,12 @@ class Search {
   bool in_window(double pressure) const { return pressure > spec_.pressure && pressure < spec_.pressure * (1 + spec_.window); }
   bool jammed(const Point& p) const { return in_window(p.pressure); }
 
-  /// A cell so small that a body meets itself, or one neighbour through two images, is not what was asked for.
-  void check_cell() const {
-    const System<2>& s = packing_.system;
-    double least = 0, radius = 0;
-    for (const double r : s.state.radius) radius = std::max(radius, r);
-    for (int b = 0; b < s.topology.body_count(s.state.size()); ++b)
-      least = std::max(least, s.topology.body_size(b) == 1 ? 4 * s.state.radius[s.topology.body_begin(b)]
-                                                           : 2 * outer_radius(s, b) + 2 * radius);
-    if (s.box.length[0] < least)
-      throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}", s.topology.body_count(s.state.size()), s.box.length[0]),
-                        fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least), "raise bodies.N");
-  }
-
   /// The state at `density`, reached from `from` at its density.
   Point minimised(const System<2>& from, double density, double from_density = 0) {
     packing_.system = from;
     const double factor = std::exp(-0.5 * (density - from_density));
     scale_cell(packing_.system, {factor, factor});
-    check_cell();
+    require_room(packing_);
     packing_.field->invalidate();
     const bool exact = spec_.search == JamSearch::chapter || !(spec_.coarse > 0);
     bool below = exact ? minimise_exactly() : minimise_coarsely();
@@ -213,6 +212,9 @@ class Search {
 
 }  // namespace
 
-JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) { return Search(packing, spec, callback).run(); }
+JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
+  if (spec.search == JamSearch::pressure) return jam_at_pressure(packing, spec, callback);
+  return Search(packing, spec, callback).run();
+}
 
 }  // namespace supple

@@ -9,7 +9,9 @@ namespace supple {
 /// Chapter: shrink by steps; above the pressure go back to the state before and halve the step [MacKeith 2025, section 9.4]. Root: the same
 /// steps until the pressure is exceeded, then a root search between the last state below it and the first above; only states within a
 /// factor of two of the window are minimised to the last digit, as of the others no more is asked than on which side they are.
-enum class JamSearch { chapter, root };
+/// Pressure: no search, but minima of the enthalpy at the wanted pressure, with contacts that begin soft and end as they are. Contacts
+/// much harder than the shapes leave a narrow, crooked way down to a minimum; soft ones lead near it.
+enum class JamSearch { chapter, root, pressure };
 
 struct JamSpec {
   JamSearch search = JamSearch::root;
@@ -28,6 +30,12 @@ struct JamProgress {
   long minimisations = 0, evaluations = 0, unconverged = 0;
 };
 using JamCallback = std::function<bool(const JamProgress&)>;
+
+/// What jam() does for JamSearch::pressure.
+JamProgress jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback);
+
+/// Input error where the cell is so small that a body meets itself, or one neighbour through two images.
+void require_room(const Packing& packing);
 
 /// Takes the packing to the wanted pressure by isotropic compression. Throws a numerics error where no state in the window exists within
 /// rounding, with the packing at the last state below, and `interrupted` when the callback says so, with the packing just minimised. An input error

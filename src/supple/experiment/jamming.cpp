@@ -11,7 +11,8 @@
 namespace supple {
 
 JamSpec jam_spec(const Case& c) {
-  return {c.jamming.search == "chapter" ? JamSearch::chapter : JamSearch::root, c.jamming.pressure, c.jamming.window, c.jamming.step};
+  const JamSearch search = c.jamming.search == "chapter" ? JamSearch::chapter : c.jamming.search == "pressure" ? JamSearch::pressure : JamSearch::root;
+  return {search, c.jamming.pressure, c.jamming.window, c.jamming.step};
 }
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {

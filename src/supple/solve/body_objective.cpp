@@ -46,8 +46,7 @@ void sum_entries(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& l
 
 double largest_net(const BodyDegrees& degrees, std::span<const double> slope) {
   const auto of_sites = 2 * static_cast<std::size_t>(degrees.site_count());
-  double square = 0, other = 0;
-  for (std::size_t k = 0; k < of_sites; k += 2) square = std::max(square, slope[k] * slope[k] + slope[k + 1] * slope[k + 1]);
+  double square = largest_square_of_pairs(slope.first(of_sites)), other = 0;
   for (std::size_t k = of_sites; k < slope.size(); ++k) other = std::max(other, std::abs(slope[k]));
   return std::max(std::sqrt(square), other);
 }
@@ -83,12 +82,16 @@ std::vector<double> BodyObjective::coordinates() const {
 }
 
 double BodyObjective::evaluate(std::span<const double> x, std::span<double> slope) {
+  evaluate(x, slope, Detail::energies);
+  return out_.energy.stored();
+}
+
+void BodyObjective::evaluate(std::span<const double> x, std::span<double> slope, Detail detail) {
   degrees_.write(x, system_);
-  field_.evaluate(system_, Detail::energies, out_);
+  field_.evaluate(system_, detail, out_);
   degrees_.gradient(system_, out_.force, slope);
   // The mean contact force changes slowly: it need not be counted at every step, only before one believes the tolerance.
   if (--until_refresh_ < 0 || residual(x, slope) <= tolerance_now_) refresh_tolerance(x);
-  return out_.energy.stored();
 }
 
 double largest_net_force(const System<2>& system, const std::vector<Vec2>& force) {

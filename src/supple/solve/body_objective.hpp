@@ -22,23 +22,19 @@ class BodyObjective final : public Objective {
 
   int size() const override { return degrees_.size(); }
   double evaluate(std::span<const double> x, std::span<double> gradient) override;
+  void evaluate_slope(std::span<const double> x, std::span<double> slope) override { evaluate(x, slope, Detail::forces); }
   void hessian(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::exact, lower); }
   void preconditioner(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::sparse, lower); }
   /// Largest net force on a site, or on a rigid body along one of its numbers.
   double residual(std::span<const double> x, std::span<const double> slope) override;
-  /// visit(k) for each pair of numbers k, k + 1 that is a position: of a site, or of a rigid body's centre.
-  template <class Visit>
-  void for_positions(const Visit& visit) const {
-    const auto of_sites = 2 * static_cast<std::size_t>(degrees_.site_count()), all = static_cast<std::size_t>(size());
-    for (std::size_t k = 0; k < of_sites; k += 2) visit(k);
-    for (std::size_t k = of_sites; k < all; k += 3) visit(k);
-  }
+  const BodyDegrees& degrees() const { return degrees_; }
   /// The last one, with energies.
   const Evaluation<2>& evaluation() const { return out_; }
   double tolerance() const override { return tolerance_now_; }
   double largest_move() const override { return largest_move_; }
 
  private:
+  void evaluate(std::span<const double> x, std::span<double> slope, Detail detail);
   void assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower);
   void refresh_tolerance(std::span<const double> x);
 

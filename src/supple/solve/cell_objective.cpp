@@ -8,7 +8,15 @@ namespace supple {
 CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom, double pressure,
                              double shear_stress)
     : system_(system), field_(field), bodies_(system, field, tolerance), freedom_(freedom), pressure_(pressure),
-      shear_stress_(shear_stress), start_(system.box), at_(static_cast<std::size_t>(bodies_.size())) {}
+      shear_stress_(shear_stress), start_(system.box), at_(static_cast<std::size_t>(bodies_.size())) {
+  const std::vector<std::int32_t>& sites = bodies_.degrees().sites();
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (i > 0 && body[sites[i]] == body[sites[i - 1]]) ++groups_.back().count;
+    else groups_.push_back({2 * i, 1});
+  }
+  for (std::size_t k = 2 * sites.size(); k < at_.size(); k += 3) groups_.push_back({k, 1});
+}
 
 std::vector<double> CellObjective::coordinates() const {
   std::vector<double> x = bodies_.coordinates();
@@ -16,7 +24,18 @@ std::vector<double> CellObjective::coordinates() const {
   return x;
 }
 
-/// The cell of these numbers, and the bodies' numbers in it: x -> growth (x + shear y e_x).
+namespace {
+
+/// Mean of `count` pairs of numbers.
+Vec2 mean(const double* pairs, int count) {
+  Vec2 sum{};
+  for (int k = 0; k < count; ++k) sum += Vec2{pairs[2 * k], pairs[2 * k + 1]};
+  return (1.0 / count) * sum;
+}
+
+}  // namespace
+
+/// The cell of these numbers, and the bodies' numbers in it: centres c -> growth (c + shear c_y e_x).
 void CellObjective::strain_cell(std::span<const double> x) {
   std::size_t next = static_cast<std::size_t>(bodies_.size());
   growth_ = freedom_.size ? std::exp(x[next++] / start_.length[0]) : 1;
@@ -24,20 +43,28 @@ void CellObjective::strain_cell(std::span<const double> x) {
   system_.box.length = growth_ * start_.length;
   system_.box.strain = start_.strain + shear_;
   std::copy(x.begin(), x.begin() + bodies_.size(), at_.begin());
-  bodies_.for_positions([&](std::size_t k) {
-    at_[k] = growth_ * (x[k] + shear_ * x[k + 1]);
-    at_[k + 1] = growth_ * x[k + 1];
-  });
+  for (const Group& group : groups_) {
+    const Vec2 c = mean(&x[group.first], group.count);
+    const Vec2 move{growth_ * (c[0] + shear_ * c[1]) - c[0], (growth_ - 1) * c[1]};
+    for (std::size_t k = group.first; k < group.first + 2 * group.count; k += 2)
+      for (int d = 0; d < 2; ++d) at_[k + d] += move[d];
+  }
 }
 
 double CellObjective::evaluate(std::span<const double> x, std::span<double> slope) {
   strain_cell(x);
   const double energy = bodies_.evaluate(at_, slope.first(at_.size()));
-  bodies_.for_positions([&](std::size_t k) {
-    slope[k + 1] = growth_ * (slope[k + 1] + shear_ * slope[k]);
-    slope[k] *= growth_;
-  });
-  const Mat2& virial = bodies_.evaluation().virial;
+  // The virial is of sites that all move with the cell: less what they move within their bodies then.
+  Mat2 virial = bodies_.evaluation().virial;
+  for (const Group& group : groups_) {
+    const Vec2 c = mean(&x[group.first], group.count);
+    for (std::size_t k = group.first; k < group.first + 2 * group.count && group.count > 1; k += 2)
+      virial.add_outer(1, {slope[k], slope[k + 1]}, Vec2{x[k], x[k + 1]} - c);
+    const Vec2 s = mean(&slope[group.first], group.count);
+    const Vec2 change{(growth_ - 1) * s[0], growth_ * (s[1] + shear_ * s[0]) - s[1]};
+    for (std::size_t k = group.first; k < group.first + 2 * group.count; k += 2)
+      for (int d = 0; d < 2; ++d) slope[k + d] += change[d];
+  }
   const double area = system_.box.volume(), start = start_.volume();
   std::size_t next = at_.size();
   if (freedom_.size) slope[next++] = (2 * pressure_ * area - virial[0][0] - virial[1][1]) / start_.length[0];
@@ -53,15 +80,15 @@ double CellObjective::residual(std::span<const double> x, std::span<const double
   return most;
 }
 
-void CellObjective::hessian(std::span<const double> x, SparseMatrix& lower) {
+void CellObjective::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
   strain_cell(x);
   SparseMatrix inner;
-  bodies_.hessian(at_, inner);
+  if (kind == HessianKind::exact) bodies_.hessian(at_, inner);
+  else bodies_.preconditioner(at_, inner);
   std::vector<Eigen::Triplet<double>> entries;
-  const double square = growth_ * growth_;  // the shear of the coordinates since the start is small, and left out
   for (int c = 0; c < inner.outerSize(); ++c)
     for (SparseMatrix::InnerIterator it(inner, c); it; ++it)
-      entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()), square * it.value());
+      entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()), it.value());
   std::vector<double> moved(x.begin(), x.end()), above(x.size()), below(x.size());
   const double step = 1e-6 * start_.length[0];
   for (int row = bodies_.size(); row < size(); ++row) {

@@ -33,6 +33,8 @@ class BodyDegrees {
   int size() const { return size_; }
   /// The first so many pairs of numbers are x, y of a site; three for each rigid body follow.
   int site_count() const { return static_cast<int>(sites_.size()); }
+  /// The sites of these pairs, in their order.
+  const std::vector<std::int32_t>& sites() const { return sites_; }
   void read(const System<2>& system, std::span<double> q) const;
   /// Velocities stay as they are, but for the sites of rigid bodies, which follow their body.
   void write(std::span<const double> q, System<2>& system) const;

@@ -9,9 +9,19 @@ namespace supple {
 bool Descent::evaluate() {
   ++report.evaluations;
   report.energy = objective.evaluate(x, gradient);
+  return look() && std::isfinite(report.energy);
+}
+
+bool Descent::evaluate_slope() {
+  ++report.evaluations;
+  objective.evaluate_slope(x, gradient);
+  return look();
+}
+
+bool Descent::look() {
   report.residual = objective.residual(x, gradient);
   report.tolerance = objective.tolerance();
-  return std::isfinite(report.energy) && std::isfinite(dot(gradient, gradient));
+  return std::isfinite(dot(gradient, gradient));
 }
 
 void Descent::count_iteration() {

@@ -27,6 +27,8 @@ struct Descent {
 
   /// Energy, gradient, residual and tolerance at x. False if energy or gradient is not finite.
   bool evaluate();
+  /// The same without the energy, which report holds of an earlier point then.
+  bool evaluate_slope();
   /// Counts an iteration and calls back when it is time to.
   void count_iteration();
   /// Whether to stop: converged, out of evaluations, or told to. The report's reason then says why.
@@ -43,6 +45,9 @@ struct Descent {
   MinimiseCallback callback;
 
  private:
+  /// Residual and tolerance at x. False if the gradient is not finite.
+  bool look();
+
   bool stopped_ = false;
 };
 

@@ -72,7 +72,7 @@ double largest_eigenvalue(Descent& descent, std::vector<double>& direction, int 
       direction[k] /= scale;
       descent.x[k] = origin[k] + probe * direction[k];
     }
-    if (!descent.evaluate()) break;
+    if (!descent.evaluate_slope()) break;
     const double length = std::sqrt(dot(direction, direction));
     for (std::size_t k = 0; k < n; ++k) direction[k] = (descent.gradient[k] - gradient[k]) / probe;
     eigenvalue = std::max(eigenvalue, std::sqrt(dot(direction, direction)) / length);
@@ -95,6 +95,7 @@ void Fire::run(Descent& descent, double factor, long iterations) {
   do
     step(descent);  // at least once: the eigenvalue was measured elsewhere, and a run must end evaluated at x
   while (--iterations > 0 && !done());
+  if (!energy_known_) descent.evaluate();
 }
 
 void Fire::start(Descent& descent) {
@@ -104,6 +105,7 @@ void Fire::start(Descent& descent) {
   dt_ = 0.25 * dt_max_;
   mixing_ = spec_.mixing;
   energy_at_rest_ = descent.report.energy;
+  energy_known_ = true;
   downhill_ = 0;
 }
 
@@ -124,7 +126,7 @@ void Fire::step(Descent& descent) {
     }
   } else if (p.vv > 0) {
     turn_back(descent);
-    p.vg = p.vv = 0;
+    p = {0, 0, dot(descent.gradient, descent.gradient)};
   }
   // v + dt F, then the part `mixing` of it turned into the direction of F.
   const double speed = std::sqrt(std::max(0.0, p.vv - 2 * dt_ * p.vg + dt_ * dt_ * p.gg));
@@ -140,11 +142,14 @@ void Fire::step(Descent& descent) {
     push *= factor;
   }
   kick_and_drift(keep, push, dt_, descent.gradient.data(), velocity_.data(), descent.x.data(), n);
-  if (!descent.evaluate()) recover(descent);
+  // Energies are worth their price only where someone looks at them.
+  energy_known_ = (descent.report.iterations + 1) % descent.callback_interval == 0;
+  if (!(energy_known_ ? descent.evaluate() : descent.evaluate_slope())) recover(descent);
   descent.count_iteration();
 }
 
 void Fire::turn_back(Descent& descent) {
+  if (!energy_known_ && !descent.evaluate()) return recover(descent);
   // The energy that damped dynamics reaches is never above that of its start, unless the step is unstable.
   const double energy = descent.report.energy;
   if (energy > energy_at_rest_ + 1e-6 * std::abs(energy_at_rest_) && since_refresh_ > 20) {

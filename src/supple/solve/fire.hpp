@@ -40,6 +40,7 @@ class Fire {
   double stiffness_ = 0, safety_ = 1;
   double dt_ = 0, dt_max_ = 0, mixing_ = 0;
   double energy_at_rest_ = 0;
+  bool energy_known_ = true;  ///< of the point last evaluated
   long downhill_ = 0, since_refresh_ = 0;
 };
 

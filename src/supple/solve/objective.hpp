@@ -18,6 +18,8 @@ class Objective {
   virtual int size() const = 0;
   /// Energy at x; fills the gradient `slope`.
   virtual double evaluate(std::span<const double> x, std::span<double> slope) = 0;
+  /// The gradient alone, where that is cheaper; by evaluate() unless overridden.
+  virtual void evaluate_slope(std::span<const double> x, std::span<double> slope) { evaluate(x, slope); }
   /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
   /// contacts come and go; rows may be empty.
   virtual void hessian(std::span<const double> x, SparseMatrix& lower) = 0;

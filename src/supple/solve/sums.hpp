@@ -47,6 +47,25 @@ inline double largest(std::span<const double> a) {
   return result;
 }
 
+/// Largest a_k^2 + a_(k+1)^2 over even k; the size of a must be even.
+inline double largest_square_of_pairs(std::span<const double> a) {
+  Lanes lanes;
+  Lanes::Eight e;
+  std::size_t i = 0;
+  for (; i + 8 <= a.size(); i += 8) {
+    Lanes::load(&a[i], e);
+    const Lanes::Eight square = e * e, both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2, 5, 4, 7, 6);
+    lanes.value = both > lanes.value ? both : lanes.value;
+  }
+  double result = 0;
+  for (int k = 0; k < 8; ++k) result = lanes.value[k] > result ? lanes.value[k] : result;
+  for (; i < a.size(); i += 2) {
+    const double square = a[i] * a[i] + a[i + 1] * a[i + 1];
+    result = square > result ? square : result;
+  }
+  return result;
+}
+
 /// y += factor x
 inline void add_scaled(double factor, std::span<const double> x, std::span<double> y) {
   for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
