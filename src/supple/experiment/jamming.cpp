@@ -11,7 +11,8 @@
 namespace supple {
 
 JamSpec jam_spec(const Case& c) {
-  const JamSearch search = c.jamming.search == "chapter" ? JamSearch::chapter : c.jamming.search == "pressure" ? JamSearch::pressure : JamSearch::root;
+  const std::string& name = c.jamming.search;
+  const JamSearch search = name == "chapter" ? JamSearch::chapter : name == "pressure" ? JamSearch::pressure : JamSearch::root;
   return {search, c.jamming.pressure, c.jamming.window, c.jamming.step};
 }
 
