@@ -117,6 +117,8 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   };
   const auto go_to = [&](double pressure, Branch branch) {
     spec.pressure = pressure;
+    // Contacts that were soft for a while would rearrange a packing that has jammed.
+    if (spec.search == JamSearch::pressure && (initial || done > 0)) spec.search = JamSearch::root;
     const JamProgress before_this = last;
     last = jam(packing, spec, watch);
     last.evaluations += before_this.evaluations;

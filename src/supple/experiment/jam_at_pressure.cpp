@@ -76,7 +76,7 @@ class Press {
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
       count(report);
-      if (!report.converged || progress_.state.pressure > 0.1 * spec_.pressure) return;
+      if (progress_.state.pressure > (report.converged ? 0.1 : stages[0].pressure) * spec_.pressure) return;
       const double factor = std::exp(-0.5 * step);
       scale_cell(packing_.system, {factor, factor});
       require_room(packing_);
