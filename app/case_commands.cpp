@@ -26,14 +26,23 @@ using Json = nlohmann::ordered_json;
 std::set<std::string> first_keys(const Case& c) {
   const std::string& experiment = c.general.experiment;
   if (experiment == "dynamics" && is_deformable(c))
-    return {"experiment", "physics", "seed", "bodies.family", "bodies.N", "jamming.packing_fraction", "motion.kinetic_energy",
+    return {"experiment",
+            "physics",
+            "seed",
+            "bodies.family",
+            "bodies.N",
+            "jamming.packing_fraction",
+            "motion.kinetic_energy",
             "time.steps"};
   if (experiment == "dynamics") return {"experiment", "initial.state", "time.steps", "shear.rate"};
-  if (experiment == "jamming") return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
-  if (experiment == "compression") return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
+  if (experiment == "jamming")
+    return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
+  if (experiment == "compression")
+    return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
   if (experiment == "uniaxial_compression")
     return {"experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
-  if (experiment == "slump") return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "slump.gravity"};
+  if (experiment == "slump")
+    return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "slump.gravity"};
   return {"experiment",          "seed",
           "particles.N",         "particles.packing_fraction",
           "particles.cut_lines", "material.young_modulus",
@@ -139,8 +148,8 @@ void init(const std::string& experiment, const std::string& physics, const std::
   c.general.experiment = experiment;
   if (!physics.empty()) c.general.physics = physics;
   if (!physics.empty() && (physics == "deformable") != is_deformable(c))
-    throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics), "it is about deformable particles",
-                      "leave --physics away");
+    throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics),
+                      "it is about deformable particles", "leave --physics away");
   if (experiment == "dynamics") c.time.steps = 1000;
   if (experiment == "dynamics" && is_deformable(c)) {
     c.jamming.packing_fraction = 0.6;
@@ -168,7 +177,8 @@ void check(const CaseChoice& choice, Format format) {
   c = adopt_state(c, initial ? &*initial : nullptr);
   const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
-  const double estimate = steps.value_or(0) * site_count(c, initial, derived) * seconds_per_disc_step / c.general.threads;
+  const double estimate =
+      steps.value_or(0) * site_count(c, initial, derived) * seconds_per_disc_step / c.general.threads;
 
   if (format == Format::json) {
     Json j{{"case", choice.path}, {"experiment", c.general.experiment}, {"physics", c.general.physics}};
@@ -179,8 +189,8 @@ void check(const CaseChoice& choice, Format format) {
     fmt::print("{}\n", j.dump(2));
     return;
   }
-  fmt::print("{}: sound\n{} of {}, seed {}\n\n", choice.path, c.general.experiment, describe_matter(c, initial, derived),
-             c.general.seed);
+  fmt::print("{}: sound\n{} of {}, seed {}\n\n", choice.path, c.general.experiment,
+             describe_matter(c, initial, derived), c.general.seed);
   for (const Derived& d : derived)
     fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
   if (steps)

@@ -56,7 +56,8 @@ void add_json(CLI::App& c, Options& o) { c.add_flag("--json", o.json, "Print JSO
 
 void add_case_commands(CLI::App& app, Options& o) {
   CLI::App* init = app.add_subcommand("init", "Write a commented case to start from");
-  init->add_option("experiment", o.experiment, "What to run: oscillatory_shear (default), dynamics, jamming, ...; see supple list")
+  init->add_option("experiment", o.experiment,
+                   "What to run: oscillatory_shear (default), dynamics, jamming, ...; see supple list")
       ->type_name("EXPERIMENT");
   init->add_option("--physics", o.physics, "With dynamics: deformable, for polygons instead of microgel discs")
       ->type_name("NAME")

@@ -47,7 +47,8 @@ void check_discs(const std::string& run_path, const std::string& format) {
 
 void export_final_packing(const std::string& run_path, const std::string& path, Existing existing) {
   if (!is_of_bodies(RunFile(run_path)))
-    throw input_error(run_path + " holds discs of microgels", "a packing is of deformable particles", "export --to state");
+    throw input_error(run_path + " holds discs of microgels", "a packing is of deformable particles",
+                      "export --to state");
   const InitialState state = read_state(run_path);
   write_packing_json({state.system, state.contact.value_or(Harmonic{})}, path, existing);
 }
@@ -62,8 +63,9 @@ std::string plot_path(const std::string& run, const Case& c) {
 }
 std::string snapshot_path(const std::string& run) { return beside(run, "_cell.png"); }
 std::string export_path(const std::string& run, const std::string& to) {
-  static const std::map<std::string, std::string> endings{{"csv", ".csv"}, {"text", ".txt"}, {"state", "_state.json"},
-                                                          {"xyz", ".xyz"}, {"vtp", ".pvd"},  {"packing", "_packing.json"}};
+  static const std::map<std::string, std::string> endings{{"csv", ".csv"},          {"text", ".txt"},
+                                                          {"state", "_state.json"}, {"xyz", ".xyz"},
+                                                          {"vtp", ".pvd"},          {"packing", "_packing.json"}};
   return beside(run, endings.at(to));
 }
 
@@ -93,7 +95,8 @@ void snapshot(const std::string& run_path, std::optional<int> frame, const std::
                       fmt::format("give 0 to {}, or -1 for the last", count - 1));
   if (is_of_bodies(run)) return draw_body_snapshot(file, run, k, color);
   if (!color.empty())
-    throw input_error("--color " + color, run_path + " holds discs of microgels: they have the colours of their particles");
+    throw input_error("--color " + color,
+                      run_path + " holds discs of microgels: they have the colours of their particles");
   draw_run_snapshot(file, run, k);
 }
 

@@ -141,7 +141,8 @@ void show_bodies(const RunFile& run) {
   std::string what = fmt::format("{} particles", count.bodies);
   const std::string family = family_of(run);
   if (!family.empty()) what += " (" + family + ")";
-  if (count.polygons > 0) what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
+  if (count.polygons > 0)
+    what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
   fmt::print("{}: {}, {}\n", run.path(), run.experiment(), run.status());
   fmt::print("{}, cell {:.4g} x {:.4g}, seed {}, supple {}\n", what, at_end[0], at_end[1], run.seed(), run.version());
   const std::vector<RunValue> results = run.values("results");

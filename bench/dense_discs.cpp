@@ -14,7 +14,8 @@ namespace {
 std::uint64_t morton(std::uint32_t x, std::uint32_t y) {
   std::uint64_t place = 0;
   for (int bit = 0; bit < 32; ++bit)
-    place |= (static_cast<std::uint64_t>(x >> bit & 1) << (2 * bit)) | (static_cast<std::uint64_t>(y >> bit & 1) << (2 * bit + 1));
+    place |= (static_cast<std::uint64_t>(x >> bit & 1) << (2 * bit)) |
+             (static_cast<std::uint64_t>(y >> bit & 1) << (2 * bit + 1));
   return place;
 }
 
@@ -23,7 +24,8 @@ void number_in_space(State<2>& s, double cell) {
   std::vector<int> order(s.position.size());
   std::iota(order.begin(), order.end(), 0);
   const auto place = [&](int i) {
-    return morton(static_cast<std::uint32_t>(s.position[i][0] / cell), static_cast<std::uint32_t>(s.position[i][1] / cell));
+    return morton(static_cast<std::uint32_t>(s.position[i][0] / cell),
+                  static_cast<std::uint32_t>(s.position[i][1] / cell));
   };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
   const State<2> old = s;

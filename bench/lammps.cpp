@@ -17,11 +17,13 @@ void write_discs(const std::string& path, const System<2>& system) {
   const State<2>& s = system.state;
   auto file = fmt::output_file(path);
   file.print("Dense discs\n\n{} atoms\n1 atom types\n\n", s.size());
-  file.print("0 {:.17g} xlo xhi\n0 {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nAtoms\n\n", system.box.length[0], system.box.length[1]);
+  file.print("0 {:.17g} xlo xhi\n0 {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nAtoms\n\n", system.box.length[0],
+             system.box.length[1]);
   // Density of a sphere of this mass: `fix nve/sphere disc` takes mass as it is and the moment of inertia of a disc.
   for (int i = 0; i < s.size(); ++i) {
     const double diameter = 2 * s.radius[i], volume = std::numbers::pi / 6 * diameter * diameter * diameter;
-    file.print("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, diameter, s.mass[i] / volume, s.position[i][0], s.position[i][1]);
+    file.print("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, diameter, s.mass[i] / volume, s.position[i][0],
+               s.position[i][1]);
   }
   file.print("\nVelocities\n\n");
   for (int i = 0; i < s.size(); ++i)
@@ -45,7 +47,8 @@ std::string output_of(const std::string& command) {
   std::string text;
   char part[4096];
   while (pipe && std::fgets(part, sizeof part, pipe)) text += part;
-  if (!pipe || pclose(pipe) != 0) throw file_error("'" + command + "' failed", text, "see whether LAMMPS is installed: scripts/deps --bench");
+  if (!pipe || pclose(pipe) != 0)
+    throw file_error("'" + command + "' failed", text, "see whether LAMMPS is installed: scripts/deps --bench");
   return text;
 }
 

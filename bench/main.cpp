@@ -85,7 +85,8 @@ void print_default_run(double machine) {
 
 void print_sizes() {
   fmt::print("\nDense frictional discs, phi = 0.84, history: CPU time per disc and step (best of repeats)\n");
-  fmt::print("  {:>7}  {:>8}  {:>13}  {:>9}  {:>12}  {:>6}\n", "discs", "ns", "contacts/disc", "rows/disc", "steps/build", "to 1e3");
+  fmt::print("  {:>7}  {:>8}  {:>13}  {:>9}  {:>12}  {:>6}\n", "discs", "ns", "contacts/disc", "rows/disc",
+             "steps/build", "to 1e3");
   double of_thousand = 0;
   for (const int discs : {150, 1000, 10000, 100000}) {
     DenseSpec spec;
@@ -133,10 +134,11 @@ Comparison print_comparison() {
   }
   std::filesystem::remove_all(folder);
 
-  fmt::print("\n{} discs, {} steps, in turn with LAMMPS gran/hooke/history (same discs, law and time step)\n", spec.discs, steps);
+  fmt::print("\n{} discs, {} steps, in turn with LAMMPS gran/hooke/history (same discs, law and time step)\n",
+             spec.discs, steps);
   fmt::print("  {:<8}  {:>6}  {:>13}  {:>6}  {:>12}\n", "", "ns", "contacts/disc", "builds", "final speed");
-  fmt::print("  {:<8}  {:>6.1f}  {:>13.2f}  {:>6}  {:>12.6f}\n", "Supple", best.supple.nanoseconds, best.supple.contacts,
-             best.supple.builds, best.supple.speed);
+  fmt::print("  {:<8}  {:>6.1f}  {:>13.2f}  {:>6}  {:>12.6f}\n", "Supple", best.supple.nanoseconds,
+             best.supple.contacts, best.supple.builds, best.supple.speed);
   if (!lammps_found()) {
     fmt::print("  LAMMPS is not installed (scripts/deps --bench)\n");
     return best;
@@ -144,8 +146,10 @@ Comparison print_comparison() {
   best.lammps = 1e9 * peer.seconds / (steps * static_cast<double>(spec.discs));
   fmt::print("  {:<8}  {:>6.1f}  {:>13.2f}  {:>6}  {:>12.6f}   (best of three skins: {})\n", "LAMMPS", best.lammps,
              peer.contacts, peer.builds, peer.speed, peer_skin);
-  fmt::print("  Supple takes {:.2f} of the time. LAMMPS measured elsewhere: {} ns, so this machine is {:.2f} times slower now.\n",
-             best.supple.nanoseconds / best.lammps, lammps_published, best.lammps / lammps_published);
+  fmt::print(
+      "  Supple takes {:.2f} of the time. LAMMPS measured elsewhere: {} ns, so this machine is {:.2f} times slower "
+      "now.\n",
+      best.supple.nanoseconds / best.lammps, lammps_published, best.lammps / lammps_published);
   return best;
 }
 
@@ -160,9 +164,12 @@ void print_limit(const StepTime& measured) {
   const double memory = bytes / bytes_per_nanosecond(static_cast<std::size_t>(10000 * bytes));
   const double divider = contacts * nanoseconds_of_divisions(6) + nanoseconds_of_divisions(2);
   fmt::print("\nLimits of this machine for 10 000 discs\n");
-  fmt::print("  memory   {:>6.1f} ns: {:.0f} bytes per disc and step, each met once, at the speed of a copy of that size\n", memory, bytes);
+  fmt::print(
+      "  memory   {:>6.1f} ns: {:.0f} bytes per disc and step, each met once, at the speed of a copy of that size\n",
+      memory, bytes);
   fmt::print("  divider  {:>6.1f} ns: six divisions and roots a contact, two a disc, in vectors\n", divider);
-  fmt::print("  measured {:>6.1f} ns: {:.1f} times the sum\n", measured.nanoseconds, measured.nanoseconds / (memory + divider));
+  fmt::print("  measured {:>6.1f} ns: {:.1f} times the sum\n", measured.nanoseconds,
+             measured.nanoseconds / (memory + divider));
 }
 
 }  // namespace

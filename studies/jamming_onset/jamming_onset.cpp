@@ -1,7 +1,8 @@
 /// Pressure against packing fraction over ensembles of packings [MacKeith 2025, figure 9.13].
-/// jamming_onset CASES OUT reads CASES/*.toml, writes OUT/jamming_onset.png and prints the tables of the README; each packing
-/// is kept in OUT/packings, and what is there is not made again. jamming_onset CASES OUT --collect makes no packings.
-/// jamming_onset CASES --check looks at smooth discs alone, and fails if they jam where or as they should not.
+/// jamming_onset CASES OUT reads CASES/*.toml, writes OUT/jamming_onset.png and prints the tables of the README; each
+/// packing is kept in OUT/packings, and what is there is not made again. jamming_onset CASES OUT --collect makes no
+/// packings. jamming_onset CASES --check looks at smooth discs alone, and fails if they jam where or as they should
+/// not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +27,8 @@ struct Range {
 };
 constexpr Range near{2.4e-4, 4.1e-3}, middle{0.9e-3, 0.0105}, far{2.9e-3, 0.0305};
 constexpr const char* heading =
-    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.004 | 0.001-0.01 | 0.003-0.03 | "
+    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.004 | 0.001-0.01 | "
+    "0.003-0.03 | "
     "unconverged |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 struct Estimate {
@@ -179,12 +181,14 @@ class Ensemble {
   std::vector<PressureCurve> curves_;
 };
 
-std::string show(const Estimate& e, int digits) { return fmt::format("{:.{}f} ± {:.{}f}", e.value, digits, e.error, digits); }
+std::string show(const Estimate& e, int digits) {
+  return fmt::format("{:.{}f} ± {:.{}f}", e.value, digits, e.error, digits);
+}
 
 void print_row(const Ensemble& e, int bodies) {
-  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), bodies, e.size(), show(e.first(), 4), show(e.onset(), 4),
-             show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(near), 3), show(e.exponent(middle), 3), show(e.exponent(far), 3),
-             e.unconverged());
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), bodies, e.size(),
+             show(e.first(), 4), show(e.onset(), 4), show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(near), 3),
+             show(e.exponent(middle), 3), show(e.exponent(far), 3), e.unconverged());
   std::fflush(stdout);
 }
 
@@ -200,13 +204,16 @@ struct Scan {
   std::vector<double> ratio;
   std::vector<Estimate> onset;
 
-  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; the error comes from theirs.
+  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; the error comes from
+  /// theirs.
   Estimate ratio_at(double wanted) const {
     for (std::size_t k = 1; k < ratio.size(); ++k) {
       const Estimate &low = onset[k - 1], &high = onset[k];
       if ((low.value - wanted) * (high.value - wanted) > 0) continue;
-      const double slope = (high.value - low.value) / (ratio[k] - ratio[k - 1]), share = (wanted - low.value) / (high.value - low.value);
-      return {ratio[k - 1] + share * (ratio[k] - ratio[k - 1]), std::hypot((1 - share) * low.error, share * high.error) / std::abs(slope)};
+      const double slope = (high.value - low.value) / (ratio[k] - ratio[k - 1]),
+                   share = (wanted - low.value) / (high.value - low.value);
+      return {ratio[k - 1] + share * (ratio[k] - ratio[k - 1]),
+              std::hypot((1 - share) * low.error, share * high.error) / std::abs(slope)};
     }
     return {NAN, NAN};
   }
@@ -220,7 +227,8 @@ void scan(const Store& store, Case c, const Ensemble& main, double published) {
     if (e.size() < 2) return;
     all.ratio.push_back(c.bodies.diameter_ratio);
     all.onset.push_back(e.onset());
-    fmt::print("| {} | {} | {} | {} | {} |\n", main.name(), c.bodies.diameter_ratio, e.size(), show(e.first(), 4), show(e.onset(), 4));
+    fmt::print("| {} | {} | {} | {} | {} |\n", main.name(), c.bodies.diameter_ratio, e.size(), show(e.first(), 4),
+               show(e.onset(), 4));
     std::fflush(stdout);
   };
   for (const double ratio : {0.9, 1.0, 1.1, 1.25, 1.5, 2.0}) {
@@ -228,13 +236,15 @@ void scan(const Store& store, Case c, const Ensemble& main, double published) {
     if (ratio == 1) add(main);
     else add({fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered, Protocol::steps});
   }
-  fmt::print("\n{} jam at the published {} at σ/edge = {}\n\n", main.name(), published, show(all.ratio_at(published), 2));
+  fmt::print("\n{} jam at the published {} at σ/edge = {}\n\n", main.name(), published,
+             show(all.ratio_at(published), 2));
 }
 
 int run(const std::string& cases, const std::string& out, Store::Missing missing) {
   const Store store(out + "/packings", missing);
   std::vector<PressureSeries> fractions, scaled;
-  const auto study = [&](const std::string& name, const std::string& label, int seeds, Area area, Protocol protocol, double published) {
+  const auto study = [&](const std::string& name, const std::string& label, int seeds, Area area, Protocol protocol,
+                         double published) {
     const Case c = read_case(fmt::format("{}/{}.toml", cases, name));
     const Ensemble e(name, store, c, seeds, highest_excess, area, protocol);
     if (e.size() < 2) return;
@@ -256,7 +266,8 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
 /// Smooth discs jam where they jam in every program, and their pressure grows in proportion.
 int check(const std::string& cases) {
   const Case c = read_case(cases + "/discs.toml");
-  const Ensemble e("discs", Store("", Store::Missing::make), c, disc_packings, highest_excess, Area::sum, Protocol::root);
+  const Ensemble e("discs", Store("", Store::Missing::make), c, disc_packings, highest_excess, Area::sum,
+                   Protocol::root);
   if (e.size() < 2) return 1;
   fmt::print("{}", heading);
   print_row(e, c.bodies.count);

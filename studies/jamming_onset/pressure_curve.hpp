@@ -18,9 +18,10 @@ namespace supple {
 /// Which packing fraction counts: the sum of all areas, as is usual for discs, or what is covered.
 enum class Area { sum, covered };
 
-/// How a packing is made. root: the search of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and back and by a
-/// quarter where P exceeds P_t, until a step below 1e-3 does; a packing that comes apart within 0.01 of there is sought anew.
-/// Rough particles hold by their corners: many packings have no state of low pressure, but break on the way down to it.
+/// How a packing is made. root: the search of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and back and
+/// by a quarter where P exceeds P_t, until a step below 1e-3 does; a packing that comes apart within 0.01 of there is
+/// sought anew. Rough particles hold by their corners: many packings have no state of low pressure, but break on the
+/// way down to it.
 enum class Protocol { root, steps };
 
 /// One packing from its onset upward.
@@ -128,7 +129,8 @@ class Measurement {
   }
 
   void add_point(Packing& packing) {
-    curve_.phi.push_back(area_ == Area::sum ? packing.covered_area / packing.system.box.volume() : covered_fraction(packing));
+    curve_.phi.push_back(area_ == Area::sum ? packing.covered_area / packing.system.box.volume()
+                                            : covered_fraction(packing));
     curve_.pressure.push_back(observe(packing).pressure);
   }
 
@@ -153,7 +155,8 @@ class Store {
   Store(std::string folder, Missing missing) : folder_(std::move(folder)), missing_(missing) {
     if (!folder_.empty()) std::filesystem::create_directories(folder_);
   }
-  PressureCurve get(const std::string& name, const Case& c, int seed, double highest, Area area, Protocol protocol) const {
+  PressureCurve get(const std::string& name, const Case& c, int seed, double highest, Area area,
+                    Protocol protocol) const {
     const std::string path = fmt::format("{}/{}-{}.txt", folder_, name, seed);
     if (std::ifstream in(path); !folder_.empty() && in) return read(in);
     if (missing_ == Missing::leave_out) return {0, 0, {}, {}, 0, fmt::format("packing {} was not made", seed)};

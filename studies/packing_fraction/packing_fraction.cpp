@@ -24,7 +24,10 @@ constexpr int published_points = 250'000;   // the standard error is then the 0.
 class Panel {
  public:
   Panel(Canvas& canvas, const Packing& packing, Point corner, double size, const std::string& title)
-      : canvas_(canvas), shapes_(body_shapes(packing.system, Outline::rough)), box_(packing.system.box), corner_(corner),
+      : canvas_(canvas),
+        shapes_(body_shapes(packing.system, Outline::rough)),
+        box_(packing.system.box),
+        corner_(corner),
         scale_(size / box_.length[0]) {
     canvas_.text(corner_ + Point{0, -5}, title);
     frame_ = {corner, corner + Point{size, 0}, corner + Point{size, size}, corner + Point{0, size}};
@@ -44,7 +47,8 @@ class Panel {
     canvas_.clipped(frame_, ClipTo::inside, [&] {
       for (std::size_t a = 0; a < images.size(); ++a) {
         const std::vector<Point> own = ring(images[a]);
-        for (std::size_t i = 0; i < own.size(); ++i) draw(own[i], radius(images[a].body), own[(i + 1) % own.size()], radius(images[a].body));
+        for (std::size_t i = 0; i < own.size(); ++i)
+          draw(own[i], radius(images[a].body), own[(i + 1) % own.size()], radius(images[a].body));
         for (std::size_t b = 0; b < a; ++b)
           for (const Point& p : own)
             for (const Point& q : ring(images[b])) draw(p, radius(images[a].body), q, radius(images[b].body));
@@ -74,7 +78,8 @@ class Panel {
 
 std::vector<Point> circle(const Point& centre, double radius) {
   std::vector<Point> out;
-  for (int k = 0; k < 90; ++k) out.push_back(centre + radius * Point{std::cos(2 * pi * k / 90), std::sin(2 * pi * k / 90)});
+  for (int k = 0; k < 90; ++k)
+    out.push_back(centre + radius * Point{std::cos(2 * pi * k / 90), std::sin(2 * pi * k / 90)});
   return out;
 }
 
@@ -161,7 +166,9 @@ double survival(double chi_squared, int m) {
 
 int run(const std::string& path, const std::string& out) {
   Case c = read_case(path);
-  fmt::print("| seed | formula (9.18-9.22) | doubts | exact | Monte Carlo | difference / error |\n|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| seed | formula (9.18-9.22) | doubts | exact | Monte Carlo | difference / error "
+      "|\n|---|---|---|---|---|---|\n");
   double right = 0, wrong = 0;
   for (int seed = 1; seed <= packings; ++seed) {
     c.general.seed = seed;
@@ -169,19 +176,21 @@ int run(const std::string& path, const std::string& out) {
     jam(packing, jam_spec(c));
     const RoughSum sum = rough_sum(packing.system);
     const double exact = packing_fraction(packing.system, packing.outline).total;
-    const MonteCarloFraction mc = monte_carlo_fraction(packing.system, packing.outline, points, static_cast<std::uint64_t>(seed));
+    const MonteCarloFraction mc =
+        monte_carlo_fraction(packing.system, packing.outline, points, static_cast<std::uint64_t>(seed));
     const double z = (sum.total - mc.value) / mc.error;
     right += z * z;
     wrong += std::pow((1.001 * sum.total - mc.value) / mc.error, 2);
-    fmt::print("| {} | {:.6f} | {} | {:.6f} | {:.5f} ± {:.5f} | {:.2f} |\n", seed, sum.total, sum.doubts, exact, mc.value, mc.error, z);
+    fmt::print("| {} | {:.6f} | {} | {:.6f} | {:.5f} ± {:.5f} | {:.2f} |\n", seed, sum.total, sum.doubts, exact,
+               mc.value, mc.error, z);
     std::fflush(stdout);
     if (seed > 1) continue;
     const MonteCarloFraction few = monte_carlo_fraction(packing.system, packing.outline, published_points, 1);
     fmt::print("| 1, fewer points | {:.4f} | | | {:.4f} ± {:.4f} | |\n", sum.total, few.value, few.error);
     draw(packing, out + "/packing_fraction.png");
   }
-  fmt::print("\nchi-squared {:.1f} of {}: p = {:.3f}; with a formula larger by 0.1 %: {:.0f}, p = {:.1e}\n", right, packings,
-             survival(right, packings / 2), wrong, survival(wrong, packings / 2));
+  fmt::print("\nchi-squared {:.1f} of {}: p = {:.3f}; with a formula larger by 0.1 %: {:.0f}, p = {:.1e}\n", right,
+             packings, survival(right, packings / 2), wrong, survival(wrong, packings / 2));
   return 0;
 }
 

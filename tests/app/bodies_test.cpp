@@ -39,7 +39,8 @@ TEST_F(Bodies, JammingLeavesItsRunAndPictures) {
   EXPECT_TRUE(exists("jam.h5") && exists("jam_pressure.png") && exists("jam_cell.png"));
   EXPECT_THAT(run.out, HasSubstr("6 particles (shell), 6 of them polygons, with 48 vertices"));
   EXPECT_THAT(run.out, HasSubstr("packing_fraction"));
-  for (const std::string of_microgels : {" um", "G'", "discs", "Pa"}) EXPECT_THAT(run.out, Not(HasSubstr(of_microgels)));
+  for (const std::string of_microgels : {" um", "G'", "discs", "Pa"})
+    EXPECT_THAT(run.out, Not(HasSubstr(of_microgels)));
 }
 
 TEST_F(Bodies, ShowGivesResultsWithUnits) {
@@ -173,7 +174,8 @@ TEST_F(Bodies, InitShowsOnlyWhatTheExperimentReads) {
     ASSERT_EQ(supple("init " + experiment).code, 0);
     const std::string text = read_text(path(experiment + ".toml"));
     EXPECT_THAT(text, HasSubstr("[bodies]"));
-    for (const std::string section : {"[material]", "[particles]", "[shear]"}) EXPECT_THAT(text, Not(HasSubstr(section)));
+    for (const std::string section : {"[material]", "[particles]", "[shear]"})
+      EXPECT_THAT(text, Not(HasSubstr(section)));
     EXPECT_EQ(text.find("[slump]") != text.npos, experiment == "slump");
     const Outcome check = supple("check " + experiment + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
@@ -190,7 +192,8 @@ TEST_F(Bodies, InitKnowsTheDynamicsOfPolygons) {
   const Outcome check = supple("check dynamics.toml");
   EXPECT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, Not(HasSubstr("warning")));
-  EXPECT_THAT(supple("check dynamics.toml --set jamming.pressure=1e-3").out, HasSubstr("jamming.pressure has no effect"));
+  EXPECT_THAT(supple("check dynamics.toml --set jamming.pressure=1e-3").out,
+              HasSubstr("jamming.pressure has no effect"));
   EXPECT_EQ(supple("init jamming --physics documented").code, 2);
 }
 

@@ -113,7 +113,8 @@ TEST_F(Run, CtrlCKeepsWhatWasComputed) {
 }
 
 TEST_F(Run, ExamplesAreSound) {
-  for (const std::string name : {"microgel", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump"}) {
+  for (const std::string name :
+       {"microgel", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump"}) {
     const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
   }

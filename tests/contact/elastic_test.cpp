@@ -23,13 +23,15 @@ struct Law {
 
 template <class L>
 Law law(const std::string& name, const L& l, double low, double high, std::vector<double> kinks = {}) {
-  return {name, [l](double d) { return l.force(d, d0, k); }, [l](double d) { return l.energy(d, d0, k); }, low, high, kinks};
+  return {name, [l](double d) { return l.force(d, d0, k); }, [l](double d) { return l.energy(d, d0, k); }, low, high,
+          kinks};
 }
 
 /// Every repulsion in Repulsion, and every tension.
 std::vector<Law> every_law() {
-  const Tabulated formula([](double d, double r, double stiffness, double) { return stiffness * (r - d) * (r - d) / r; },
-                          1, "k (d0 - d)^2 / d0");
+  const Tabulated formula(
+      [](double d, double r, double stiffness, double) { return stiffness * (r - d) * (r - d) / r; }, 1,
+      "k (d0 - d)^2 / d0");
   static_assert(std::variant_size_v<Repulsion> == 4, "add the new law to this list");
   return {law("divergent, c = 1", Divergent(1), 1e-4, 1, {1 / 1001.0}),
           law("divergent, c = 0.4", Divergent(0.4), 1e-4, 1, {0.0004}),
@@ -55,7 +57,8 @@ TEST(ElasticLaw, ForceIsMinusTheSlopeOfTheEnergy) {
       const double d = d0 * l.low * std::pow(l.high / l.low, i / 400.0), h = 1e-4 * d;
       if (near_a_kink(l, d / d0, 3e-4 * d / d0)) continue;
       // Of fourth order: the steep laws curve much over h.
-      const double slope = (8 * (l.energy(d + h) - l.energy(d - h)) - (l.energy(d + 2 * h) - l.energy(d - 2 * h))) / (12 * h);
+      const double slope =
+          (8 * (l.energy(d + h) - l.energy(d - h)) - (l.energy(d + 2 * h) - l.energy(d - 2 * h))) / (12 * h);
       // Energies cancel to rounding in the difference.
       const double tolerance = 1e-7 * std::abs(slope) + 1e-15 * std::abs(l.energy(d)) / h + 1e-10 * k * d0;
       EXPECT_NEAR(l.force(d), -slope, tolerance) << l.name << " at d/d0 = " << d / d0;
@@ -96,8 +99,9 @@ TEST(ElasticLaw, DivergentIsLinearToDivergentAndCapped) {
 TEST(ElasticLaw, HertzIsThatOfTheDocumentation) {
   // S1-13: 1.09 E R^(-1/2) delta^1.5 with E = 8 kPa (k = pi E/8), R = 10 um, delta = 2 um.
   const double stiffness = 3.141592653589793 / 8 * 8000, radius = 10e-6, delta = 2e-6;
-  EXPECT_NEAR(Hertz().force(2 * radius - delta, 2 * radius, stiffness) / (8000 / std::sqrt(radius) * std::pow(delta, 1.5)),
-              1.0921, 1e-4);
+  EXPECT_NEAR(
+      Hertz().force(2 * radius - delta, 2 * radius, stiffness) / (8000 / std::sqrt(radius) * std::pow(delta, 1.5)),
+      1.0921, 1e-4);
 }
 
 TEST(ElasticLaw, PlateauMapsTheDistance) {

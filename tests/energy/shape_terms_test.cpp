@@ -60,12 +60,14 @@ TEST(EnclosedVolume, HoldsWhatEveryTermMust) {
 }
 
 TEST(HingeAngle, IsZeroWhereFlatAndPositiveWhereConvex) {
-  const Vec2 flat[3] = {{0, 0}, {1, 0}, {3, 0}}, left[3] = {{0, 0}, {1, 0}, {1, 1}}, right[3] = {{0, 0}, {1, 0}, {1, -1}};
+  const Vec2 flat[3] = {{0, 0}, {1, 0}, {3, 0}}, left[3] = {{0, 0}, {1, 0}, {1, 1}},
+             right[3] = {{0, 0}, {1, 0}, {1, -1}};
   EXPECT_DOUBLE_EQ(hinge_angle(flat), 0);
   EXPECT_DOUBLE_EQ(hinge_angle(left), M_PI / 2);
   EXPECT_DOUBLE_EQ(hinge_angle(right), -M_PI / 2);
   // Faces with the outward normals +x and +y meet along z: convex; the other way round: a groove.
-  const Vec3 convex[4] = {{0, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}}, groove[4] = {{0, 0, 1}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const Vec3 convex[4] = {{0, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}},
+             groove[4] = {{0, 0, 1}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
   EXPECT_DOUBLE_EQ(std::abs(hinge_angle(convex)), M_PI / 2);
   EXPECT_DOUBLE_EQ(hinge_angle(convex), -hinge_angle(groove));
 }

@@ -14,8 +14,10 @@ struct Kind {
   double shape_parameter = 0, diameter_ratio = 1;
 };
 
-constexpr Kind kinds[]{{"shell", "rough"},       {"shell", "smooth"},        {"floppy", "rough", 1.1},  {"floppy", "smooth", 1.2},
-                       {"droplet", "rough"},     {"droplet", "smooth"},      {"disc", "rough"},         {"rough_disc", "rough"},
+constexpr Kind kinds[]{{"shell", "rough"},       {"shell", "smooth"},
+                       {"floppy", "rough", 1.1}, {"floppy", "smooth", 1.2},
+                       {"droplet", "rough"},     {"droplet", "smooth"},
+                       {"disc", "rough"},        {"rough_disc", "rough"},
                        {"shell", "rough", 0, 2}, {"rough_disc", "rough", 0, 0.5}};
 
 Packing jammed(const Kind& kind, int seed) {
@@ -68,7 +70,8 @@ TEST(JammedFraction, AgreesWithMonteCarloOver20Packings) {
     for (const int seed : {1, 2}) {
       const Packing p = jammed(kind, seed);
       const double exact = packing_fraction(p.system, p.outline).total;
-      const MonteCarloFraction mc = monte_carlo_fraction(p.system, p.outline, points, static_cast<std::uint64_t>(++packings));
+      const MonteCarloFraction mc =
+          monte_carlo_fraction(p.system, p.outline, points, static_cast<std::uint64_t>(++packings));
       const auto square = [&](double fraction) { return std::pow((fraction - mc.value) / mc.error, 2); };
       right += square(exact);
       too_large += square(1.001 * exact);

@@ -27,7 +27,8 @@ void expect_same(const Evaluation<2>& a, const Evaluation<2>& b) {
   double scale = 0;
   for (const Vec2& f : b.force) scale = std::max(scale, norm(f));
   ASSERT_GT(scale, 0);
-  for (std::size_t i = 0; i < a.force.size(); ++i) EXPECT_LT(norm(a.force[i] - b.force[i]), 1e-12 * scale) << "site " << i;
+  for (std::size_t i = 0; i < a.force.size(); ++i)
+    EXPECT_LT(norm(a.force[i] - b.force[i]), 1e-12 * scale) << "site " << i;
   for (int c = 0; c < 2; ++c)
     for (int d = 0; d < 2; ++d) EXPECT_NEAR(a.virial[c][d], b.virial[c][d], 1e-11 * scale) << c << d;
 }
@@ -62,7 +63,8 @@ TEST(PolygonShape, UniformRestAnglesDropOut) {
   System<2> system = testing::random_polygons();
   const Evaluation<2> before = evaluate(fast_terms(), system);
   for (int b = 0; b < 9; ++b)
-    for (int h = system.topology.hinge_begin[b]; h < system.topology.hinge_begin[b + 1]; ++h) system.shape.rest_hinge[h] = 0;
+    for (int h = system.topology.hinge_begin[b]; h < system.topology.hinge_begin[b + 1]; ++h)
+      system.shape.rest_hinge[h] = 0;
   const Evaluation<2> after = evaluate(fast_terms(), system);
   for (std::size_t i = 0; i < before.force.size(); ++i) EXPECT_LT(norm(before.force[i] - after.force[i]), 1e-13);
   EXPECT_GT(std::abs(before.energy.terms - after.energy.terms), 1);
@@ -115,7 +117,8 @@ TEST(PolygonShape, HasTheHessianOfTheTermsItStandsFor) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-13 * largest) << k;
 }
 
-/// What the sparse Hessian leaves out is k_a (da/dx)(da/dx)^T, and nothing where a ring needs its area to keep its shape.
+/// What the sparse Hessian leaves out is k_a (da/dx)(da/dx)^T, and nothing where a ring needs its area to keep its
+/// shape.
 TEST(PolygonShape, HasASparseHessianWithoutTheSlopeOfTheArea) {
   for (const double bending : {0.02, 0.0}) {
     System<2> system;

@@ -35,7 +35,8 @@ class BodyPlot : public testing::TemporaryFolder {
 
 constexpr const char* blue = "26.666667%,46.666667%,66.666667%";
 constexpr const char* red = "93.333333%,40%,46.666667%";
-const std::vector<Column> pressure_columns{{"packing_fraction", "", ""}, {"pressure", "k_a a0", ""}, {"branch", "", ""}};
+const std::vector<Column> pressure_columns{
+    {"packing_fraction", "", ""}, {"pressure", "k_a a0", ""}, {"branch", "", ""}};
 
 TEST_F(BodyPlot, CompressionShowsBothBranchesThatMeetAtTheTop) {
   const BodyPlot::Rows rows{{0.84, 1e-7, 1}, {0.85, 1e-3, 1}, {0.90, 1e-2, 1}, {0.852, 1e-3, -1}, {0.843, 1e-7, -1}};

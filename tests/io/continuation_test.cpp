@@ -19,7 +19,8 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
-class Continuation : public TemporaryFolder, public ::testing::WithParamInterface<std::tuple<const char*, const char*>> {
+class Continuation : public TemporaryFolder,
+                     public ::testing::WithParamInterface<std::tuple<const char*, const char*>> {
  protected:
   /// Takes `steps` steps from the state in a file, and returns what the run's file then holds as final state.
   InitialState advanced(const std::string& state, const std::string& run, std::int64_t steps) const {

@@ -27,13 +27,19 @@ ReferenceTable parsed_csv(const std::string& path) {
 
 /// The names that the table "stress" gives to the columns of the package's trajectories.
 std::string table_name(std::string name) {
-  static const std::map<std::string, std::string> names{
-      {"stress_tensor_LW", "love_weber"}, {"stress_tensor_with_external_forces", "external"},
-      {"stress_tensor_unbalanced_forces", "linear_acceleration"}, {"stress_tensor_linear_acceleration_otsuki", "otsuki"},
-      {"stress_tensor_unbalanced_torque", "tangential_torque"}, {"stress_tensor_internal_torque", "internal_torque"},
-      {"stress_tensor_spin_kinetic_energy", "centrifugal"}, {"overall_stress_tensor", "overall"},
-      {"quasistatic_shear_stress", "shear_stress_internal"}, {"external_shear_stress", "shear_stress_external"},
-      {"n_pair_register", "pair_register"}, {"n_external_register", "external_register"}, {"t", "t"}};
+  static const std::map<std::string, std::string> names{{"stress_tensor_LW", "love_weber"},
+                                                        {"stress_tensor_with_external_forces", "external"},
+                                                        {"stress_tensor_unbalanced_forces", "linear_acceleration"},
+                                                        {"stress_tensor_linear_acceleration_otsuki", "otsuki"},
+                                                        {"stress_tensor_unbalanced_torque", "tangential_torque"},
+                                                        {"stress_tensor_internal_torque", "internal_torque"},
+                                                        {"stress_tensor_spin_kinetic_energy", "centrifugal"},
+                                                        {"overall_stress_tensor", "overall"},
+                                                        {"quasistatic_shear_stress", "shear_stress_internal"},
+                                                        {"external_shear_stress", "shear_stress_external"},
+                                                        {"n_pair_register", "pair_register"},
+                                                        {"n_external_register", "external_register"},
+                                                        {"t", "t"}};
   const bool component = name.size() > 3 && name[name.size() - 3] == '_';
   const std::string end = component ? name.substr(name.size() - 3) : "";
   const auto at = names.find(name.substr(0, name.size() - end.size()));
@@ -161,7 +167,8 @@ TEST_F(CsvTest, OtherExperimentsGiveTheTableOfStress) {
   to.finish("complete");
   export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv"));
   EXPECT_EQ(content_of(in_folder("run.csv")), "t,zeta,alpha\n0,0,0\n0.1,0.3333333333333333,0.14285714285714285\n");
-  EXPECT_THAT(file_error_of([&] { export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv")); }), HasSubstr("exists"));
+  EXPECT_THAT(file_error_of([&] { export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv")); }),
+              HasSubstr("exists"));
 }
 
 }  // namespace

@@ -157,9 +157,10 @@ TEST_F(PublishedText, BulkControl) {
 }
 
 TEST_F(PublishedText, WithoutTensorsItSaysSo) {
-  EXPECT_THAT(text_of(sample_call(), false),
-              ::testing::EndsWith("Detailed stress tensor data\n\tNot saving detailed stress tensor data. If you wish to save "
-                                  "this data, pass\n\t  saveStressTensorData=True"));
+  EXPECT_THAT(
+      text_of(sample_call(), false),
+      ::testing::EndsWith("Detailed stress tensor data\n\tNot saving detailed stress tensor data. If you wish to save "
+                          "this data, pass\n\t  saveStressTensorData=True"));
 }
 
 TEST_F(PublishedText, ARunWithoutResultsIsAnError) {

@@ -56,8 +56,9 @@ void expect_same(const Frame& a, const Frame& b) {
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     const ContactRow &x = a.contacts[c], &y = b.contacts[c];
-    EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force, x.tangential_force),
-              std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force, y.tangential_force));
+    EXPECT_EQ(
+        std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force, x.tangential_force),
+        std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force, y.tangential_force));
   }
 }
 
@@ -209,7 +210,8 @@ TEST_F(RunFileTest, TwoRunsDoNotShareAName) {
 }
 
 TEST_F(RunFileTest, AMissingFolderIsAnErrorBeforeTheRun) {
-  EXPECT_THAT(file_error_of([&] { FileRecorder(in_folder("none/run.h5"), Case{}, ""); }), HasSubstr("there is no folder"));
+  EXPECT_THAT(file_error_of([&] { FileRecorder(in_folder("none/run.h5"), Case{}, ""); }),
+              HasSubstr("there is no folder"));
 }
 
 TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {

@@ -168,7 +168,8 @@ TEST_F(StateFile, InconsistentNeighboursAreErrors) {
   EXPECT_THAT(error_with("\"slip\"", "\"glued\""), HasSubstr("is \"glued\", not stick, slip or permanent"));
   EXPECT_THAT(error_with("\"slip\"", "\"stick\""), HasSubstr("spheres 0 and 2 give different types"));
   EXPECT_THAT(error_with("\"eq\": 130", "\"eq\": 120"), HasSubstr("is not the sum of the radii"));
-  EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", ", []]}}"), HasSubstr("do not list each other"));
+  EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", ", []]}}"),
+              HasSubstr("do not list each other"));
   EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", "]}}"), HasSubstr("one list for each sphere"));
   EXPECT_THAT(error_with("\\{\"j\": 2", "{\"j\": 1, \"type\": \"permanent\", \"fp\": 0, \"eq\": 130}, {\"j\": 2"),
               HasSubstr("do not list each other exactly once"));

@@ -62,8 +62,9 @@ double drift(const Kind& kind, double step_factor) {
 TEST_P(EnergyDrift, IsNoneOverManyDefaultSteps) { EXPECT_LT(std::abs(drift(GetParam(), 1)), 1e-5); }
 
 INSTANTIATE_TEST_SUITE_P(Families, EnergyDrift,
-                         ::testing::Values(Kind{"shell", "rough", 0}, Kind{"shell", "smooth", 0}, Kind{"floppy", "rough", 1.1},
-                                           Kind{"droplet", "rough", 0}, Kind{"rough_disc", "rough", 0}),
+                         ::testing::Values(Kind{"shell", "rough", 0}, Kind{"shell", "smooth", 0},
+                                           Kind{"floppy", "rough", 1.1}, Kind{"droplet", "rough", 0},
+                                           Kind{"rough_disc", "rough", 0}),
                          [](const auto& p) { return std::string(p.param.family) + "_" + p.param.contact; });
 
 TEST(EnergyDrift, IsSeenAtALargeStep) { EXPECT_GT(std::abs(drift({"shell", "rough", 0}, 10)), 1e-5); }

@@ -25,8 +25,8 @@ TEST(Density, ModuliDoNotDependOnIt) {
         const double expected = reference.get("results", name);
         EXPECT_NEAR(other.get("results", name), expected, 1e-6 * std::abs(expected)) << name << ", density " << density;
       }
-    EXPECT_NEAR(other.get("constants", "frequency") * std::sqrt(density / 1000), reference.get("constants", "frequency"),
-                1e-9 * reference.get("constants", "frequency"));
+    EXPECT_NEAR(other.get("constants", "frequency") * std::sqrt(density / 1000),
+                reference.get("constants", "frequency"), 1e-9 * reference.get("constants", "frequency"));
   }
 }
 

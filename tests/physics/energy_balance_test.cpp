@@ -62,7 +62,8 @@ TEST(EnergyBalance, EveryChannelTakesPart) {
   const Case c = frictional("capture", false);
   const Account a = shear_one_cycle(testing::prepared_suspension(c).system, c, 1120);
   const EnergyFlows& f = a.flows;
-  for (const double part : {f.plates, f.images, f.shear_rate, f.viscous, f.tangential_viscous, f.sliding, f.background, a.change})
+  for (const double part :
+       {f.plates, f.images, f.shear_rate, f.viscous, f.tangential_viscous, f.sliding, f.background, a.change})
     EXPECT_GT(std::abs(part), 5e-3 * f.work());
   for (const double loss : {f.viscous, f.tangential_viscous, f.sliding}) EXPECT_GT(loss, 0);
 }

@@ -12,7 +12,9 @@ DiscLaw law(double friction) {
   return {s, s, Tensile{}, friction, Slip::clamp, LeverArm::distance};
 }
 
-DiscDynamics dynamics(double friction = 0.3) { return DiscDynamics(ForceField(DiscContacts(Divergent(1), law(friction)))); }
+DiscDynamics dynamics(double friction = 0.3) {
+  return DiscDynamics(ForceField(DiscContacts(Divergent(1), law(friction))));
+}
 
 void run(System<2>& s, DiscDynamics& d, int steps, double rate = 0.3, double dt = 1e-3) {
   for (int i = 0; i < steps; ++i) {

@@ -8,8 +8,8 @@
 
 namespace supple::testing {
 
-/// Checks forces and Hessian against central differences of energy and forces, the virial against -dU/d(strain) of sites and cell
-/// together, no net force (a periodic cell), and forces with and without energies.
+/// Checks forces and Hessian against central differences of energy and forces, the virial against -dU/d(strain) of
+/// sites and cell together, no net force (a periodic cell), and forces with and without energies.
 class FieldCheck {
  public:
   FieldCheck(ForceField& field, System<2>& system, double step = 1e-6, double tolerance = 1e-7)
@@ -38,7 +38,8 @@ class FieldCheck {
     for (int i = 0; i < system_.state.size(); ++i)
       for (int d = 0; d < 2; ++d) {
         const double slope = difference(system_.state.position[i][d], [&] { return energy(); });
-        EXPECT_NEAR(at_.force[i][d], -slope, tolerance_ * scale_ + 1e-10 * std::abs(at_.energy.stored())) << "site " << i << " " << d;
+        EXPECT_NEAR(at_.force[i][d], -slope, tolerance_ * scale_ + 1e-10 * std::abs(at_.energy.stored()))
+            << "site " << i << " " << d;
       }
   }
 
@@ -66,13 +67,14 @@ class FieldCheck {
       field_.evaluate(system_, Detail::forces, out_);
       x = x0;
       for (int row = 0; row < n; ++row)
-        EXPECT_NEAR(at(row, column), -(above[row / 2][row % 2] - out_.force[row / 2][row % 2]) / (2 * step_), tolerance_ * largest)
+        EXPECT_NEAR(at(row, column), -(above[row / 2][row % 2] - out_.force[row / 2][row % 2]) / (2 * step_),
+                    tolerance_ * largest)
             << "Hessian " << row << ", " << column;
     }
   }
 
-  /// Strains the cell with everything in it: x += e_ij x_j. A cell has lengths and shear along the flow, so that only these three
-  /// strains can be made; the fourth component must equal the third.
+  /// Strains the cell with everything in it: x += e_ij x_j. A cell has lengths and shear along the flow, so that only
+  /// these three strains can be made; the fourth component must equal the third.
   void check_virial() {
     const std::vector<Vec2> x = system_.state.position;
     const Box<2> box = system_.box;
@@ -94,7 +96,8 @@ class FieldCheck {
     };
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {flow, gradient}}) {
       const double slope = (strained(i, j, step_) - strained(i, j, -step_)) / (2 * step_);
-      EXPECT_NEAR(at_.virial[i][j], -slope, tolerance_ * (scale_ + std::abs(at_.virial[i][j])) + 1e-9 * std::abs(at_.energy.stored()))
+      EXPECT_NEAR(at_.virial[i][j], -slope,
+                  tolerance_ * (scale_ + std::abs(at_.virial[i][j])) + 1e-9 * std::abs(at_.energy.stored()))
           << "virial " << i << j;
     }
     EXPECT_NEAR(at_.virial[0][1], at_.virial[1][0], 1e-11 * scale_ * system_.state.size()) << "symmetry";

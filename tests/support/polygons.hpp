@@ -20,7 +20,8 @@ struct PackingDraw {
   double jitter = 0.12;       ///< of every vertex
 };
 
-/// Polygons of 9 to 14 vertices on a jittered square lattice in a sheared periodic cell; neighbours overlap. Bodies stick out of the cell.
+/// Polygons of 9 to 14 vertices on a jittered square lattice in a sheared periodic cell; neighbours overlap. Bodies
+/// stick out of the cell.
 inline System<2> random_polygons(const PackingDraw& draw = {}) {
   const int rows = static_cast<int>(std::ceil(std::sqrt(draw.bodies)));
   System<2> system;

@@ -27,6 +27,8 @@ inline OscillatoryProtocol one_cycle(const Case& c, int steps) {
 }
 
 /// Damping per step: cool_factor per cycle.
-inline double damping(const Case& c, int steps_per_cycle) { return std::pow(c.shear.cool_factor, 1.0 / steps_per_cycle); }
+inline double damping(const Case& c, int steps_per_cycle) {
+  return std::pow(c.shear.cool_factor, 1.0 / steps_per_cycle);
+}
 
 }  // namespace supple::testing

@@ -191,7 +191,8 @@ void DiscContacts::evaluate(const System<2>& system, double dt, Detail detail, E
 }
 
 template <class R>
-void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out) {
+void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail,
+                             Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
   const Box<2>::Images images = system.box.images();
   const DiscLaw law = law_;

@@ -221,8 +221,8 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const double slack = skin_ - (std::abs(strain_change) + largest_growth) * reach_;
   if (!(slack > 0)) return true;
   const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
-  // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped: the nearest image is
-  // asked for only where it matters.
+  // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped: the
+  // nearest image is asked for only where it matters.
   const auto within = [&](const auto& nearest) {
     std::int64_t count = 0;
     for (std::size_t i = 0; i < position_at_build_.size(); ++i) {

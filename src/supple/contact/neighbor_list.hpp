@@ -12,11 +12,11 @@ inline constexpr double default_skin = 0.4;
 /// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
 enum class Meeting { sites, facets };
 
-/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii (Meeting::facets: and half of the
-/// longest facets at either site), and every permanent link however stretched, has a row; pairs within the skin have one too. Rows
-/// that leave lose their history; permanent ones stay. Stale when a site has moved, relative to the affine flow and the change of the
-/// box since the last build, so far that a pair without a row could touch:
-/// 2 max|u| + (|strain change| + |relative change of lengths|) * reach > skin.
+/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii (Meeting::facets: and
+/// half of the longest facets at either site), and every permanent link however stretched, has a row; pairs within the
+/// skin have one too. Rows that leave lose their history; permanent ones stay. Stale when a site has moved, relative to
+/// the affine flow and the change of the box since the last build, so far that a pair without a row could touch: 2
+/// max|u| + (|strain change| + |relative change of lengths|) * reach > skin.
 template <int Dim>
 class NeighborList {
  public:

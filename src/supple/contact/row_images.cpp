@@ -7,7 +7,8 @@ namespace supple {
 template <int Dim>
 bool RowImages<Dim>::update(const System<Dim>& system) {
   const PairTable& pairs = system.pairs;
-  if (version_ == pairs.version && index_.size() == static_cast<std::size_t>(pairs.size()) && !cells_.empty()) return false;
+  if (version_ == pairs.version && index_.size() == static_cast<std::size_t>(pairs.size()) && !cells_.empty())
+    return false;
   version_ = pairs.version;
   cells_.assign(1, Vec<Dim>{});
   index_.resize(static_cast<std::size_t>(pairs.size()));

@@ -8,8 +8,9 @@
 
 namespace supple {
 
-/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. The image that is near when a row is made stays
-/// near while the row lives, and a few images serve all rows: an evaluation looks its shift up instead of searching for it.
+/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. The image that is near when a
+/// row is made stays near while the row lives, and a few images serve all rows: an evaluation looks its shift up
+/// instead of searching for it.
 template <int Dim>
 class RowImages {
  public:

@@ -34,7 +34,8 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   begin_packing(packing, derive_body_dynamics(c, initial), recorder);
   recorder.value(protocol_group, {"dt", "", "time step; a continuation takes it over"}, dt);
   recorder.declare("motion", motion_columns(packing));
-  const std::int64_t steps = c.time.steps, per_row = interval(steps, rows), per_frame = interval(steps, c.output.frames);
+  const std::int64_t steps = c.time.steps, per_row = interval(steps, rows),
+                     per_frame = interval(steps, c.output.frames);
   for (std::int64_t i = 0; i < steps; ++i) {
     if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
     if (i % per_frame == 0) recorder.frame(packing_frame(packing, report_packing(packing)));

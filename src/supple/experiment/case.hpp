@@ -131,8 +131,9 @@ struct Output {
   bool text = false;          ///< also write the published text format
 };
 
-/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the others hold defaults and give way
-/// to what a state file says. `origin` is the file the case came from, for errors and relative paths.
+/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the others hold
+/// defaults and give way to what a state file says. `origin` is the file the case came from, for errors and relative
+/// paths.
 struct Case {
   General general;
   Material material;
@@ -205,8 +206,8 @@ bool is_deformable(const Case& c);
 /// The sections that the case's experiment reads.
 std::vector<std::string> sections_of(const Case& c);
 
-/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given,
-/// lets a particle lose its velocity while it falls by its diameter.
+/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless
+/// given, lets a particle lose its velocity while it falls by its diameter.
 void resolve_family(Case& c);
 
 /// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).

@@ -74,30 +74,33 @@ void check_bodies(const Case& c, Problems& problems) {
   const double least = least_shape_parameter(b.vertices);
   if (polygons && b.shape_parameter > 0 && b.shape_parameter < least * (1 - 1e-12))
     add(problems, c, fmt::format("bodies.A0 = {} with bodies.vertices = {}", b.shape_parameter, b.vertices),
-        fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least), "raise A0, or 0 for the regular polygon");
+        fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least),
+        "raise A0, or 0 for the regular polygon");
   if (!c.initial.state.empty() && !c.initial.packing.empty())
     add(problems, c, "initial.state and initial.packing", "a run starts from one of them", "leave one away");
   if (c.is_given("physics") && c.general.physics != "deformable")
     add(problems, c, fmt::format("physics = \"{}\" with experiment = \"{}\"", c.general.physics, c.general.experiment),
         "it is about deformable particles", "leave physics away");
   if (c.output.text)
-    add(problems, c, "output.text = true with deformable particles", "the published text format holds discs of microgels",
-        "export the run to csv instead");
+    add(problems, c, "output.text = true with deformable particles",
+        "the published text format holds discs of microgels", "export the run to csv instead");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
-    add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"", "a rough disc is a ring of vertices",
-        "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
+    add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
+        "a rough disc is a ring of vertices", "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
   if (c.general.experiment == "compression" && c.compression.highest_pressure <= c.jamming.pressure)
-    add(problems, c, fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", c.compression.highest_pressure,
-                                 c.jamming.pressure),
+    add(problems, c,
+        fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}",
+                    c.compression.highest_pressure, c.jamming.pressure),
         "compression goes from the one to the other", "raise the first or lower the second");
 }
 
 /// Keys of particles that are not made, because the run starts from those of a file.
 void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
   if (c.initial.state.empty() && c.initial.packing.empty()) return;
-  for (const std::string key : {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction",
-                                "bodies.A0", "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction",
-                                "uniaxial.packing_fraction", "uniaxial.pressure", "uniaxial.aspect_ratio"})
+  for (const std::string key :
+       {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction", "bodies.A0",
+        "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction",
+        "uniaxial.packing_fraction", "uniaxial.pressure", "uniaxial.aspect_ratio"})
     if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 
@@ -117,7 +120,8 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   std::vector<std::string> doubts;
   const Bodies& b = c.bodies;
   const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
-    if (c.is_given(std::string(key)) && !used) doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
+    if (c.is_given(std::string(key)) && !used)
+      doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
   };
   const bool soft = b.family != "disc" && b.family != "rough_disc";
   for (const auto key : {"bodies.A0", "bodies.k_a", "bodies.k_l", "bodies.k_b", "bodies.gamma"})
@@ -127,15 +131,19 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   idle("bodies.yield_strain", b.flow_time > 0, "bodies.flow_time");
   const std::string& name = c.general.experiment;
   const bool moves = name == "dynamics" || name == "slump";
-  for (const auto key : {"jamming.step", "jamming.pressure", "jamming.window", "jamming.search", "jamming.pressure_kind"})
+  for (const auto key :
+       {"jamming.step", "jamming.pressure", "jamming.window", "jamming.search", "jamming.pressure_kind"})
     idle(key, name != "dynamics", "a search for a pressure: jamming or compression");
   idle("bodies.flow_time", moves, "an experiment in time: dynamics or slump");
-  if (soft && b.family == "floppy" && b.k_b > 0) doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
+  if (soft && b.family == "floppy" && b.k_b > 0)
+    doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
   if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 0.5)
-    doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices", b.diameter_ratio));
+    doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices",
+                                 b.diameter_ratio));
   idle("contact.k_p", name == "slump" || name == "uniaxial_compression", "walls: slump or uniaxial_compression");
   idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
-  idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(), "dynamics that starts from [bodies] or a packing");
+  idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(),
+       "dynamics that starts from [bodies] or a packing");
   if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
   for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
   find_keys_of_others(c, doubts);

@@ -17,8 +17,8 @@ namespace {
 std::vector<double> pressure_list(const Case& c) {
   const double low = c.jamming.pressure, high = c.compression.highest_pressure;
   if (!(high > low))
-    throw input_error(fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low), "",
-                      "compression goes from the one to the other");
+    throw input_error(fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low),
+                      "", "compression goes from the one to the other");
   const int steps = std::max(1, static_cast<int>(std::lround(c.compression.per_decade * std::log10(high / low))));
   std::vector<double> list;
   for (int k = 0; k <= steps; ++k) list.push_back(low * std::pow(high / low, static_cast<double>(k) / steps));
@@ -45,12 +45,15 @@ Snapshot take_snapshot(const Packing& packing, const PackingReport& report) {
   return s;
 }
 
-/// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine strain, in diameters of a disc of area 1.
+/// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine strain, in
+/// diameters of a disc of area 1.
 NetworkChange compare(const Snapshot& before, const Snapshot& now) {
   NetworkChange change;
   if (before.centre.empty()) return change;
   const auto has = [](const Snapshot& s, const ContactNetwork::Pair& p) {  // pairs are ascending
-    const auto less = [](const auto& a, const auto& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); };
+    const auto less = [](const auto& a, const auto& b) {
+      return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    };
     return std::binary_search(s.pairs.begin(), s.pairs.end(), p, less);
   };
   const auto counts = [&](std::size_t b) { return !before.rattlers[b] && !now.rattlers[b]; };
@@ -64,7 +67,9 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
     if (counts(b)) drift += (1 / bodies) * (now.centre[b] - factor * before.centre[b]);
   const double diameter = 2 / std::sqrt(std::numbers::pi);
   for (std::size_t b = 0; b < now.centre.size(); ++b)
-    if (counts(b)) change.displacement = std::max(change.displacement, norm(now.centre[b] - factor * before.centre[b] - drift) / diameter);
+    if (counts(b))
+      change.displacement =
+          std::max(change.displacement, norm(now.centre[b] - factor * before.centre[b] - drift) / diameter);
   return change;
 }
 
@@ -77,13 +82,18 @@ struct Course {
 };
 
 /// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13].
-void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest, Recorder& recorder) {
+void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest,
+                  Recorder& recorder) {
   const auto fit = fit_onset(course.packing_fraction, course.pressure, highest);
   if (!fit) return;
-  recorder.value("results", {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades"},
-                 fit->packing_fraction, fit->packing_fraction_error);
-  recorder.value("results", {"slope_" + branch, packing.pressure_symbol, "slope of the pressure against the packing fraction there"}, fit->slope,
-                 fit->slope_error);
+  recorder.value(
+      "results",
+      {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades"},
+      fit->packing_fraction, fit->packing_fraction_error);
+  recorder.value(
+      "results",
+      {"slope_" + branch, packing.pressure_symbol, "slope of the pressure against the packing fraction there"},
+      fit->slope, fit->slope_error);
 }
 
 }  // namespace
@@ -102,7 +112,8 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   columns.push_back({"branch", "", "1: compression, -1: decompression"});
   columns.push_back({"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
   columns.push_back({"new_contacts", "", "pairs of particles that touch and did not at the pressure before"});
-  columns.push_back({"displacement", "small diameter", "largest motion of a particle relative to the strain since the pressure before"});
+  columns.push_back({"displacement", "small diameter",
+                     "largest motion of a particle relative to the strain since the pressure before"});
   columns.push_back({"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"});
   recorder.declare("packing", columns);
   JamSpec spec = jam_spec(c);
@@ -128,7 +139,9 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     std::vector<double> row = packing_row(packing, report, last);
     Snapshot now = take_snapshot(packing, report);
     const NetworkChange change = compare(before, now);
-    for (const double x : {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()}) row.push_back(x);
+    for (const double x :
+         {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()})
+      row.push_back(x);
     recorder.append("packing", row);
     Course& course = branch == Branch::compression ? up : down;
     course.packing_fraction.push_back(report.fraction.total);

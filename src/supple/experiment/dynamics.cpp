@@ -25,7 +25,8 @@ double damping_per_step(const Case& c, const InitialState* initial, double time_
   if (initial && !c.is_given("shear.cool_factor"))
     if (const auto at = initial->protocol.find("cool_factor"); at != initial->protocol.end()) {
       const auto dt = initial->protocol.find("dt");
-      return dt == initial->protocol.end() ? at->second : std::pow(at->second, time_step / (dt->second * initial->units.time));
+      return dt == initial->protocol.end() ? at->second
+                                           : std::pow(at->second, time_step / (dt->second * initial->units.time));
     }
   return of_case;
 }

@@ -10,8 +10,8 @@ namespace supple {
 /// the state holds discs of microgels and the case is about deformable particles, or the reverse.
 Case adopt_state(Case c, const InitialState* initial);
 
-/// Stiffnesses of [bodies] that the user gave replace those of the deformable bodies of `system`, by their preferred areas,
-/// lengths and perimeters; the others stay.
+/// Stiffnesses of [bodies] that the user gave replace those of the deformable bodies of `system`, by their preferred
+/// areas, lengths and perimeters; the others stay.
 void give_stiffness(const Case& c, System<2>& system);
 
 }  // namespace supple

@@ -25,7 +25,8 @@ Base merge(const Case& c, const MaterialConstants& stored, double k, double mass
   const auto given = [&](const char* key) { return c.is_given(std::string("material.") + key); };
   const Base fresh = of_case(m, k, mass);
   Base b = fresh;
-  if (stored.permanent_ratio_central && !given("interface_reenforcement_central")) b.central = 1 / *stored.permanent_ratio_central;
+  if (stored.permanent_ratio_central && !given("interface_reenforcement_central"))
+    b.central = 1 / *stored.permanent_ratio_central;
   if (stored.permanent_ratio_tangential && !given("interface_reenforcement_tangential"))
     b.tangential = 1 / *stored.permanent_ratio_tangential;
   const bool kept = stored.keep_viscosity_coefficients_constant.value_or(fresh.keep);
@@ -80,8 +81,9 @@ MaterialConstants resolve_material(const Case& c, const MaterialConstants& store
     return of_state && !c.is_given(key) ? *of_state : of_case;
   };
   out.mu = own("material.friction", stored.mu, c.material.friction);
-  out.central_repulsion_coefficient = own("material.central_repulsion_coefficient", stored.central_repulsion_coefficient,
-                                          c.material.central_repulsion_coefficient);
+  out.central_repulsion_coefficient =
+      own("material.central_repulsion_coefficient", stored.central_repulsion_coefficient,
+          c.material.central_repulsion_coefficient);
   return out;
 }
 

@@ -23,7 +23,8 @@ void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k
     mass = initial->system.state.mass;
     for (double& m : mass) m *= initial->units.mass;
   } else {
-    const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor, c.material.density};
+    const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
+                        c.material.density};
     for (double r : bimodal_radii(spec, c.box.width * c.box.height, static_cast<std::uint64_t>(c.general.seed)))
       mass.push_back(c.material.density * pi * r * r);
   }
@@ -87,8 +88,8 @@ Repulsion make_repulsion(const Material& m, double share) {
   if (m.elastic_law == "hertz") return Hertz();
   if (m.elastic_law == "plateau") return Plateau(share, m.plateau_begin, m.plateau_end, m.plateau_slope);
   if (m.elastic_law == "expression") {
-    const auto formula = std::make_shared<Expression>(m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"},
-                                                      "[material] elastic_expression");
+    const auto formula = std::make_shared<Expression>(
+        m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"}, "[material] elastic_expression");
     return Tabulated([=](double d, double d0, double stiffness, double coefficient) {
       return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
     }, share, "[material] elastic_expression \"" + m.elastic_expression + "\"");
@@ -100,14 +101,16 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   MicrogelConstants k;
   set_masses(c, initial, k);
   k.k = pi / 8 * c.material.young_modulus;
-  const MaterialConstants stored = initial ? convert(initial->material, initial->units, si_units()) : MaterialConstants{};
+  const MaterialConstants stored =
+      initial ? convert(initial->material, initial->units, si_units()) : MaterialConstants{};
   k.material = resolve_material(c, stored, k.k, k.mean_mass);
   k.law = make_law(c.material, k.material);
   k.k = k.law.link.k;
   k.tau = std::sqrt(k.mean_mass / k.k);
   k.frequency = c.shear.relative_frequency / k.tau;
   if (initial && !c.is_given("shear.relative_frequency"))
-    if (const auto f = initial->protocol.find("f"); f != initial->protocol.end()) k.frequency = f->second / initial->units.time;
+    if (const auto f = initial->protocol.find("f"); f != initial->protocol.end())
+      k.frequency = f->second / initial->units.time;
 
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
@@ -117,10 +120,11 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
       k.time_step = dt->second * initial->units.time * c.time.step_factor;
   if (c.time.time_step > 0) k.time_step = c.time.time_step;
   if (k.time_step > k.stable_step)
-    throw input_error(fmt::format("time step {:.4g} s is above the stability limit {:.4g} s", k.time_step, k.stable_step),
-                      "the stiffest disc would gain energy at every step",
-                      fmt::format("set [time] step to at most {:.3g} s, or leave it out for {:.3g} s",
-                                  0.5 * k.stable_step, step_share * k.stable_step));
+    throw input_error(
+        fmt::format("time step {:.4g} s is above the stability limit {:.4g} s", k.time_step, k.stable_step),
+        "the stiffest disc would gain energy at every step",
+        fmt::format("set [time] step to at most {:.3g} s, or leave it out for {:.3g} s", 0.5 * k.stable_step,
+                    step_share * k.stable_step));
   return k;
 }
 

@@ -25,7 +25,8 @@ struct ShearProtocol {
 };
 
 /// Number of the protocol: the user's key, else the state's, else the default.
-double protocol_number(const Case& c, const InitialState* initial, const char* key, const char* stored, double of_case) {
+double protocol_number(const Case& c, const InitialState* initial, const char* key, const char* stored,
+                       double of_case) {
   if (!initial || c.is_given(std::string("shear.") + key)) return of_case;
   const auto at = initial->protocol.find(stored);
   return at == initial->protocol.end() ? of_case : at->second;
@@ -45,8 +46,15 @@ OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initi
 ShearProtocol make_protocol(const Case& c, const InitialState* initial) {
   if (is_package(c)) {
     const ParticleShearRun r = derive_particleshear(c, initial);
-    return {{r.frequency, r.amplitude, r.pre_periods, r.periods, r.post_periods}, DriftCorrection::published, r.steps,
-            r.steps, r.dt, r.damping, [r](std::int64_t step, double time) { return ShearRates{r.rate_at(step, time), 0}; }};
+    return {{r.frequency, r.amplitude, r.pre_periods, r.periods, r.post_periods},
+            DriftCorrection::published,
+            r.steps,
+            r.steps,
+            r.dt,
+            r.damping,
+            [r](std::int64_t step, double time) {
+              return ShearRates{r.rate_at(step, time), 0};
+            }};
   }
   const OscillatoryProtocol p = documented_protocol(c, initial, derive_constants(c, initial));
   return {{p.frequency, p.amplitude, p.pre_periods, p.periods, p.post_periods}, DriftCorrection::right, p.steps(),

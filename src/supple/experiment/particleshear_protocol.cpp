@@ -29,7 +29,8 @@ void reject_what_the_package_lacks(const Case& c) {
   if (c.box.plates == "repulsive") reject("box.plates", c.box.plates, "\"capture\"");
 }
 
-ParticleShearConstants contact_constants(const Case& c, const MaterialConstants& stored, const ParticleShearScales& scales) {
+ParticleShearConstants contact_constants(const Case& c, const MaterialConstants& stored,
+                                         const ParticleShearScales& scales) {
   const Material& m = c.material;
   const MaterialConstants material = resolve_material(c, stored, scales.k, scales.mass);
   ParticleShearConstants p;

@@ -25,7 +25,7 @@ class StressSpread {
   double spread() const { return std::max({high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]}); }
 
  private:
-  double low_[3], high_[3];
+  double low_[3]{}, high_[3]{};
   int count_ = 0;
 };
 
@@ -59,8 +59,8 @@ std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, cons
     recorder.append("preparation", std::vector<double>{static_cast<double>(done), spread});
     if (spread < spec.tolerance) return done;
     if (done >= spec.most_steps)
-      throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa", phase, spread,
-                                       done, spec.tolerance),
+      throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa", phase,
+                                       spread, done, spec.tolerance),
                            "the discs do not come to rest",
                            "raise [preparation] max_relaxation_periods or stress_tolerance");
   }

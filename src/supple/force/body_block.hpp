@@ -27,7 +27,8 @@ class BodyBlock final : public TermBlock<Dim> {
       Jet<double, 1> v(volume(system, b));
       v.slope[0] = 1;
       const Jet<double, 1> energy = Term::energy(v, params_[b]);
-      for_slopes(system, b, [&](std::int32_t site, const Vec<Dim>& slope) { out.force[site] -= energy.slope[0] * slope; });
+      for_slopes(system, b,
+                 [&](std::int32_t site, const Vec<Dim>& slope) { out.force[site] -= energy.slope[0] * slope; });
       if (detail == Detail::forces) return;
       out.energy.terms += energy.value;
       // The volume changes by its trace: dv = v tr(strain).

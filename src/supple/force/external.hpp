@@ -16,7 +16,8 @@ struct Tether {
   double stiffness;  ///< [energy/length^2]
 };
 
-/// U = -sum m g.x over all sites, and the tethers. Positions are taken as they are: gravity is for directions that are not periodic.
+/// U = -sum m g.x over all sites, and the tethers. Positions are taken as they are: gravity is for directions that are
+/// not periodic.
 template <int Dim>
 struct ExternalForces {
   Vec<Dim> gravity{};  ///< [length/time^2]

@@ -14,9 +14,9 @@
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external -> Evaluation. Evaluating changes
-/// nothing but the rows of System::pairs; only commit() lets contacts remember. Discs with memory (the microgel model) have
-/// DiscContacts, bodies of many sites a BodyContacts.
+/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external -> Evaluation.
+/// Evaluating changes nothing but the rows of System::pairs; only commit() lets contacts remember. Discs with memory
+/// (the microgel model) have DiscContacts, bodies of many sites a BodyContacts.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
@@ -28,7 +28,8 @@ class ForceField {
     neighbors_.update(system);
     const auto n = static_cast<std::size_t>(system.state.size());
     out.force.assign(n, Vec2{});
-    if (!bodies_ || out.torque.size() != n) out.torque.assign(n, 0.0);  // nothing that acts on bodies of many sites makes torques
+    if (!bodies_ || out.torque.size() != n)
+      out.torque.assign(n, 0.0);  // nothing that acts on bodies of many sites makes torques
     out.wall.clear();
     out.energy = {};
     out.virial = {};

@@ -10,10 +10,12 @@ namespace supple {
 
 namespace {
 
-/// The lower blocks of a ring of n vertices: all in rows, or of each vertex those of itself and of the two before it round the ring.
+/// The lower blocks of a ring of n vertices: all in rows, or of each vertex those of itself and of the two before it
+/// round the ring.
 class RingBlocks {
  public:
-  static constexpr int near = 2, least_sparse = 2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
+  static constexpr int near = 2,
+                       least_sparse = 2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
 
   RingBlocks(int first, int n, HessianKind kind, HessianBlocks<2>& blocks)
       : n_(n), sparse_(kind == HessianKind::sparse), begin_(blocks.size()), blocks_(blocks) {
@@ -62,7 +64,8 @@ struct EdgeNumbers {
 };
 
 /// Stretching and tension, and bending by the angles at both ends.
-void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const std::vector<EdgeNumbers>& edges, RingBlocks& ring) {
+void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const std::vector<EdgeNumbers>& edges,
+                       RingBlocks& ring) {
   const int n = static_cast<int>(edges.size());
   for (int i = 0; i < n; ++i) {
     const EdgeNumbers& edge = edges[i];
@@ -115,8 +118,8 @@ void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edge
   }
 }
 
-/// Whether a ring keeps its shape without its area: corners resist, and edges resist a swelling more than the area does. Second derivatives
-/// by the logarithm of the size: 4 k_a a0^2 of the area, k_l sum l0^2 of the edges.
+/// Whether a ring keeps its shape without its area: corners resist, and edges resist a swelling more than the area
+/// does. Second derivatives by the logarithm of the size: 4 k_a a0^2 of the area, k_l sum l0^2 of the edges.
 bool stiff_without_area(const ShapeStiffness& k, double rest_area, const double* rest_length, int n) {
   double edges = 0;
   for (int i = 0; i < n; ++i) edges += k.facet * rest_length[i] * rest_length[i];

@@ -28,7 +28,9 @@ class TermBlock {
   /// Adds second derivatives.
   virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const = 0;
   /// The same without what HessianKind::sparse may leave out.
-  virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const { add_hessian(system, blocks); }
+  virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
+    add_hessian(system, blocks);
+  }
 };
 
 template <class Term, int Dim>

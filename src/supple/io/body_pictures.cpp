@@ -63,7 +63,8 @@ std::optional<Walls> walls_of(const RunFile& run, const RunInfo& info, const Pol
 
 /// Time where it passes; else what the packing is.
 std::string title_of(const RunFile& run, const PolygonScene& scene) {
-  if (run.experiment() == "uniaxial_compression") return fmt::format("strain {}\u00a0%", tick_label(100 * scene.time, 0.1));
+  if (run.experiment() == "uniaxial_compression")
+    return fmt::format("strain {}\u00a0%", tick_label(100 * scene.time, 0.1));
   const bool moves = run.experiment() == "slump" || run.experiment() == "dynamics";
   if (moves && scene.time != 0) return fmt::format("t = {}", short_number(scene.time));
   const CellNumbers cell = cell_numbers(scene);

@@ -103,8 +103,12 @@ struct Canvas::Surface {
 
   Surface(PictureFormat f, double width, double height, double scale) : format(f) {
     switch (format) {
-      case PictureFormat::svg: surface = cairo_svg_surface_create_for_stream(append_bytes, &bytes, width, height); break;
-      case PictureFormat::pdf: surface = cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height); break;
+      case PictureFormat::svg:
+        surface = cairo_svg_surface_create_for_stream(append_bytes, &bytes, width, height);
+        break;
+      case PictureFormat::pdf:
+        surface = cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height);
+        break;
       case PictureFormat::ps: surface = cairo_ps_surface_create_for_stream(append_bytes, &bytes, width, height); break;
       default:
         surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, even_pixels(width, scale), even_pixels(height, scale));

@@ -149,7 +149,8 @@ template <class T>
 std::vector<T> Group::read(const std::string& name) const {
   const Object dataset = open_dataset(name);
   const Object space(H5Dget_space(dataset.id()));
-  return read_selection<T>(dataset, H5S_ALL, H5S_ALL, static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space.id())));
+  return read_selection<T>(dataset, H5S_ALL, H5S_ALL,
+                           static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space.id())));
 }
 
 template <class T>

@@ -63,8 +63,9 @@ std::string title(const Facts& f) {
   const Particles& p = f.c.particles;
   const std::string kind =
       !p.permanent_links ? "Dermal filler control ensemble: No permanent links\n"
-      : p.cut_lines <= 0 ? "Dermal filler control ensemble: no cut lines \n"
-                         : fmt::format("Dermal filler Ensemble: \n\tCutting lines used to generate the particles{}\n", p.cut_lines);
+      : p.cut_lines <= 0
+          ? "Dermal filler control ensemble: no cut lines \n"
+          : fmt::format("Dermal filler Ensemble: \n\tCutting lines used to generate the particles{}\n", p.cut_lines);
   return kind + fmt::format("\tN={} spheres, nominal packing density = {}\n"
                             "\tYoung modulus of the individual spheres = {} Pa \n"
                             "\tFriction coefficient = {}\n\n\n\n",
@@ -104,7 +105,8 @@ std::string function_call(const Facts& f, const std::string& folder) {
       {"doDrawing", truth(images)},
   };
   std::string text = "Function call : \nSimulation_interlocking_rheology(";
-  for (const auto& [name, value] : arguments) text += fmt::format("{}{}={}", text.back() == '(' ? "" : ",", name, value);
+  for (const auto& [name, value] : arguments)
+    text += fmt::format("{}{}={}", text.back() == '(' ? "" : ",", name, value);
   const Shear& s = f.c.shear;
   return text + fmt::format(")\n\ttheSimulation.baseline_pre_periods = {}\n\ttheSimulation.baseline_post_periods = {}\n"
                             "\ttheSimulation.saveOutputImages = {}\n\ttheSimulation.imageFileType = {}\n"
@@ -114,13 +116,14 @@ std::string function_call(const Facts& f, const std::string& folder) {
 }
 
 std::string model_parameters(const Facts& f) {
-  return fmt::format("Oscillatory shear experiment\n\nModel parameters\n"
-                     "Width of simulation area size_x ={}micrometers\nHeight of simulation area size_y ={}micrometers\n"
-                     "Nominal packing fraction = {}\nYoung modulus spheres = {}Pa\nRelative density spheres = {}kg/m^3\n"
-                     "Characteristic time constant = {}s\nCharacteristic spring constant = {}mg/s^2\n"
-                     "Characteristic viscosity  = {}mg/s\n\n",
-                     f.width(), f.height(), number(f.c.particles.packing_fraction), number(f.c.material.young_modulus),
-                     number(f.c.material.density), real(f.tau), real(f.spring), real(f.spring * f.tau));
+  return fmt::format(
+      "Oscillatory shear experiment\n\nModel parameters\n"
+      "Width of simulation area size_x ={}micrometers\nHeight of simulation area size_y ={}micrometers\n"
+      "Nominal packing fraction = {}\nYoung modulus spheres = {}Pa\nRelative density spheres = {}kg/m^3\n"
+      "Characteristic time constant = {}s\nCharacteristic spring constant = {}mg/s^2\n"
+      "Characteristic viscosity  = {}mg/s\n\n",
+      f.width(), f.height(), number(f.c.particles.packing_fraction), number(f.c.material.young_modulus),
+      number(f.c.material.density), real(f.tau), real(f.spring), real(f.spring * f.tau));
 }
 
 /// The package prints the largest radius, 0.8/1.2 of it in place of the smallest, and the mass of the first disc.
@@ -135,44 +138,49 @@ std::string disc_information(const Facts& f) {
                      real(f.info.mass[0] * f.to_mass));
 }
 
-/// Links against free contacts; the characteristic spring is that of links, which re-enforcement leaves alone. Of the two texts on viscosity and on height only the first of each is documented.
+/// Links against free contacts; the characteristic spring is that of links, which re-enforcement leaves alone. Of the
+/// two texts on viscosity and on height only the first of each is documented.
 std::string link_parameters(const Facts& f) {
   const bool keep = f.c.material.keep_viscosity_coefficients_constant;
-  return fmt::format("Adjustment coefficient for central force in permanent links = {}[-], 0=no central force, 1=as in "
-                     "free interfaces; >1 re-enforcement of permanent over transient links\n"
-                     "\tk_permanent={}mg*s^(-2)\n"
-                     "Adjustment coefficient for tangential force in permanent links = {}[-], 0=no tangential force, 1=as "
-                     "in free interfaces; >1 re-enforcement of permanent over transient links\n"
-                     "\tk_t_permanent={}mg*s^(-2)\n"
-                     "Viscosity adjustment for permanent links:\n\tAdjustment: {}\n"
-                     "\tnu_permanent={}\n\tnu_t_permanent={}\n"
-                     "avoid_height_spanning_particles: Ensembles with full height spanning particles {}\n",
-                     real(f.ratio_central), real(f.k * f.ratio_central), real(f.ratio_tangential),
-                     real(f.k_t * f.ratio_tangential),
-                     keep ? "Keep viscosity (central and tangential) constant"
-                          : "Adjust viscosity (central and tangential) by same factor as the respective spring constant "
-                            "(k and k_t)",
-                     real(f.nu * (keep ? 1 : f.ratio_central)), real(f.nu_t * (keep ? 1 : f.ratio_tangential)),
-                     f.avoids_height_spanning() ? "discarded" : "accepted");
+  return fmt::format(
+      "Adjustment coefficient for central force in permanent links = {}[-], 0=no central force, 1=as in "
+      "free interfaces; >1 re-enforcement of permanent over transient links\n"
+      "\tk_permanent={}mg*s^(-2)\n"
+      "Adjustment coefficient for tangential force in permanent links = {}[-], 0=no tangential force, 1=as "
+      "in free interfaces; >1 re-enforcement of permanent over transient links\n"
+      "\tk_t_permanent={}mg*s^(-2)\n"
+      "Viscosity adjustment for permanent links:\n\tAdjustment: {}\n"
+      "\tnu_permanent={}\n\tnu_t_permanent={}\n"
+      "avoid_height_spanning_particles: Ensembles with full height spanning particles {}\n",
+      real(f.ratio_central), real(f.k * f.ratio_central), real(f.ratio_tangential), real(f.k_t * f.ratio_tangential),
+      keep ? "Keep viscosity (central and tangential) constant"
+           : "Adjust viscosity (central and tangential) by same factor as the respective spring constant "
+             "(k and k_t)",
+      real(f.nu * (keep ? 1 : f.ratio_central)), real(f.nu_t * (keep ? 1 : f.ratio_tangential)),
+      f.avoids_height_spanning() ? "discarded" : "accepted");
 }
 
 std::string ensemble_parameters(const Facts& f) {
-  return fmt::format("Ensemble parameters\nParticle mass m = {}mg\nCentral spring constant k = {}mg*s^(-2)\n"
-                     "Central viscosity constant nu = {}mg*s^(-1)\nLateral spring constant k_t = {}mg*s^(-2)\n"
-                     "Lateral viscosity constant nu_t = {}mg*s^(-1)\nFriction coefficient mu = {}\n"
-                     "Sample width = {}micrometers\nSample height = Gap height = {}micrometers\n",
-                     real(f.mass), real(f.k), real(f.nu), real(f.k_t), real(f.nu_t), number(f.mu), f.width(), f.height()) +
+  return fmt::format(
+             "Ensemble parameters\nParticle mass m = {}mg\nCentral spring constant k = {}mg*s^(-2)\n"
+             "Central viscosity constant nu = {}mg*s^(-1)\nLateral spring constant k_t = {}mg*s^(-2)\n"
+             "Lateral viscosity constant nu_t = {}mg*s^(-1)\nFriction coefficient mu = {}\n"
+             "Sample width = {}micrometers\nSample height = Gap height = {}micrometers\n",
+             real(f.mass), real(f.k), real(f.nu), real(f.k_t), real(f.nu_t), number(f.mu), f.width(), f.height()) +
          disc_information(f) +
-         fmt::format("Nonlinear enhancement for repulsion near sphere center = {}[-], 0=no enhancement, 1=maximum "
-                     "enhancement; see CircleBasicElasticity.get_elastic_force\n",
-                     number(f.c.material.central_repulsion_coefficient)) +
+         fmt::format(
+             "Nonlinear enhancement for repulsion near sphere center = {}[-], 0=no enhancement, 1=maximum "
+             "enhancement; see CircleBasicElasticity.get_elastic_force\n",
+             number(f.c.material.central_repulsion_coefficient)) +
          link_parameters(f) +
-         fmt::format("Actual fraction of randomly removed non-essential permanent bonds = {}[-]\n\n"
-                     "Edge fuzziness for creating interlocking = {}[-]\n\n\n",
-                     number(f.removed_links), number(f.c.particles.edge_fuzziness));
+         fmt::format(
+             "Actual fraction of randomly removed non-essential permanent bonds = {}[-]\n\n"
+             "Edge fuzziness for creating interlocking = {}[-]\n\n\n",
+             number(f.removed_links), number(f.c.particles.edge_fuzziness));
 }
 
-/// As in the package, the simulated time is that of the shear alone, and the third number of periods is the first again.
+/// As in the package, the simulated time is that of the shear alone, and the third number of periods is the first
+/// again.
 std::string experiment_information(const Facts& f) {
   const Shear& s = f.c.shear;
   return fmt::format("Rheology experiment information\nSimulated time = {}s\nTime step = {}s\nFrequency = {}Hz\n"
@@ -185,11 +193,12 @@ std::string experiment_information(const Facts& f) {
 std::string summary(const RunFile& run) {
   const auto result = [&](const char* name) { return run.value("results", name); };
   const double in = result("in_phase_stress_internal"), out = result("out_of_phase_stress_internal");
-  return fmt::format("Output data\nSummary data\nIn phase stress = {}Pa\nOut of phase stress = {}Pa\nStress = {}Pa\n"
-                     "G'={}Pa\nG''={}Pa\nG'(by surface force)={}Pa\nG''(by surface force)={}Pa\n\n\n",
-                     real(in), real(out), real(std::sqrt(in * in + out * out)), real(result("storage_modulus_internal")),
-                     real(result("loss_modulus_internal")), real(result("storage_modulus_external")),
-                     real(result("loss_modulus_external")));
+  return fmt::format(
+      "Output data\nSummary data\nIn phase stress = {}Pa\nOut of phase stress = {}Pa\nStress = {}Pa\n"
+      "G'={}Pa\nG''={}Pa\nG'(by surface force)={}Pa\nG''(by surface force)={}Pa\n\n\n",
+      real(in), real(out), real(std::sqrt(in * in + out * out)), real(result("storage_modulus_internal")),
+      real(result("loss_modulus_internal")), real(result("storage_modulus_external")),
+      real(result("loss_modulus_external")));
 }
 
 /// The package's names of the tensors, in the order of its text (Table S2-3).
@@ -237,13 +246,16 @@ void export_published_text(const RunFile& run, const std::string& path, Existing
   const Facts facts(run);
   NewFile file(path, existing);
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  file.write(title(facts) + function_call(facts, folder.empty() ? "." : folder) + model_parameters(facts) + ensemble_parameters(facts) +
-             experiment_information(facts) + summary(run) + "Detailed stress tensor data\n");
+  file.write(title(facts) + function_call(facts, folder.empty() ? "." : folder) + model_parameters(facts) +
+             ensemble_parameters(facts) + experiment_information(facts) + summary(run) +
+             "Detailed stress tensor data\n");
   const auto columns = run.columns("stress");
   const bool tensors =
       std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.name == "overall_00"; });
   if (tensors) write_tensors(run, file);
-  else file.write("\tNot saving detailed stress tensor data. If you wish to save this data, pass\n\t  saveStressTensorData=True");
+  else
+    file.write(
+        "\tNot saving detailed stress tensor data. If you wish to save this data, pass\n\t  saveStressTensorData=True");
   file.commit();
 }
 
@@ -251,8 +263,9 @@ std::string published_text_path(const RunFile& run, const std::string& folder) {
   const Case c = run.resolved_case();
   const std::string kind = !c.particles.permanent_links ? "_uncrosslinked" : c.particles.cut_lines <= 0 ? "_bulk" : "";
   const auto rounded = [](double x, double digits) { return real(std::nearbyint(x * digits) / digits); };
-  const std::string stem = fmt::format("{}/dermal_filler{}{}_f_{}_strain_{}_nr_", folder, kind, number(c.material.friction),
-                                       rounded(run.value("constants", "frequency"), 1e4), rounded(c.shear.amplitude, 1e5));
+  const std::string stem =
+      fmt::format("{}/dermal_filler{}{}_f_{}_strain_{}_nr_", folder, kind, number(c.material.friction),
+                  rounded(run.value("constants", "frequency"), 1e4), rounded(c.shear.amplitude, 1e5));
   for (int n = 1;; ++n)
     if (const std::string path = stem + std::to_string(n) + ".txt"; !std::filesystem::exists(path)) return path;
 }

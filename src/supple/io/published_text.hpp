@@ -1,5 +1,5 @@
-/// A run of oscillatory shear in the text format of the published package particleShear 1.0.2 (its documentation, Fig. S2-2,
-/// Tables S2-2 and S2-3), so that existing analysis reads it.
+/// A run of oscillatory shear in the text format of the published package particleShear 1.0.2 (its documentation, Fig.
+/// S2-2, Tables S2-2 and S2-3), so that existing analysis reads it.
 #pragma once
 #include <string>
 
@@ -12,7 +12,8 @@ namespace supple {
 /// has tensors. Same labels, order and number style as the package; lengths in micrometre, masses in mg.
 ///
 /// Needs of the run, besides case and discs:
-///   constants (SI): mean_mass, link_spring_constant, time_constant, frequency, time_step, damping_factor; where links were
+///   constants (SI): mean_mass, link_spring_constant, time_constant, frequency, time_step, damping_factor; where links
+///   were
 ///                   removed at random: removed_link_fraction
 ///   material (run's units): k, nu, k_t, nu_t, mu, permanent_ratio_central, permanent_ratio_tangential
 ///   results: in_phase_stress_internal, out_of_phase_stress_internal, storage_modulus_internal, loss_modulus_internal,

@@ -109,7 +109,8 @@ std::vector<double> RunFile::column(const std::string& table, const std::string&
   std::vector<std::string> names;
   for (const Column& column : columns(table)) names.push_back(column.name);
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw file_error(path_ + " has no column '" + name + "' in table '" + table + "'", "its columns are: " + joined(names));
+    throw file_error(path_ + " has no column '" + name + "' in table '" + table + "'",
+                     "its columns are: " + joined(names));
   std::vector<double> out;
   for (std::size_t s = 0; s < segments(); ++s)
     if (const h5::Group tables = segment(s).open_group("tables"); tables.has(table)) {

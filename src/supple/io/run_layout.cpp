@@ -36,7 +36,8 @@ void store_case(h5::Object& dataset, const Case& c) {
 
 /// One array of a frame: per disc (`width` numbers each) or, with width 0, one number.
 template <class T>
-void append(h5::Group& group, const char* name, const h5::Shape& row, const std::string& unit, std::span<const T> values) {
+void append(h5::Group& group, const char* name, const h5::Shape& row, const std::string& unit,
+            std::span<const T> values) {
   if (!group.has(name)) {
     h5::Object made = group.create_rows<T>(name, row);
     if (!unit.empty()) made.set("unit", unit);
@@ -132,8 +133,9 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   root.set("sign_of_stress", std::string("compression positive"));
   root.set("definition_of_strain", std::string("time integral of the shear rate: displacement of the upper image along "
                                                "x over the height of the cell; 0.2 is 20 %"));
-  root.set("definition_of_phase", std::string("strain = A sin(2 pi (f t - pre_periods)); storage modulus: in phase with "
-                                              "the strain (sin), loss modulus: with its rate (cos)"));
+  root.set("definition_of_phase",
+           std::string("strain = A sin(2 pi (f t - pre_periods)); storage modulus: in phase with "
+                       "the strain (sin), loss modulus: with its rate (cos)"));
   h5::Object stored = root.write_scalar("case", case_text);
   store_case(stored, resolved);
 
@@ -144,7 +146,8 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   discs.write("mass", info.mass).set("unit", unit_text(info.units, info.units.mass, "kg/m"));
   discs.write("inertia", info.inertia).set("unit", unit_text(info.units, info.units.inertia(), "kg m"));
   discs.write("particle", info.particle)
-      .set("meaning", info.body_begin.empty() ? "crosslinked particle of the disc, from 0" : "body of the site, from 0");
+      .set("meaning",
+           info.body_begin.empty() ? "crosslinked particle of the disc, from 0" : "body of the site, from 0");
   if (!info.body_begin.empty())
     discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
 }
@@ -208,7 +211,8 @@ void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Unit
               stacked<T>(frames, [&](const Frame& f) { return std::span<const T>(&(f.*member), 1); }));
   };
   const auto vectors = [&](std::vector<Vec2> Frame::*member, const char* name, const std::string& unit) {
-    append<double>(group, name, {discs, 2}, unit, stacked<double>(frames, [&](const Frame& f) { return flat(f.*member); }));
+    append<double>(group, name, {discs, 2}, unit,
+                   stacked<double>(frames, [&](const Frame& f) { return flat(f.*member); }));
   };
   const auto numbers = [&](std::vector<double> Frame::*member, const char* name, const std::string& unit) {
     append<double>(group, name, {discs}, unit,
@@ -261,7 +265,8 @@ Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts
   const auto first = column(std::int32_t{}, "contact_first"), second = column(std::int32_t{}, "contact_second");
   const auto state = enums_from<ContactState>(column(std::uint8_t{}, "contact_state"));
   const auto elongation = column(double{}, "contact_elongation"), back = column(double{}, "contact_elongation_back");
-  const auto normal = column(double{}, "contact_normal_force"), tangential = column(double{}, "contact_tangential_force");
+  const auto normal = column(double{}, "contact_normal_force"),
+             tangential = column(double{}, "contact_tangential_force");
   for (std::size_t c = 0; c < count; ++c)
     frame.contacts.push_back({first[c], second[c], state[c], elongation[c], back[c], normal[c], tangential[c]});
   return frame;

@@ -10,9 +10,8 @@
 ///     /frames       step, time, ... (F); position, velocity, force (F, N, 2); angle, spin, torque, mobility (F, N);
 ///                   length of the cell (F, 2); body/NAME (F, B): a number of each body, with unit and meaning;
 ///                   contacts of frame k: rows contact_begin[k] .. + contact_count[k] of contact_first, ... (all i < j)
-///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where known, error
-///     /warnings     texts
-///     /final_state  the whole system and its forces (see system_archive.hpp)
+///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where known,
+///     error /warnings     texts /final_state  the whole system and its forces (see system_archive.hpp)
 #pragma once
 #include <string>
 #include <vector>
@@ -40,8 +39,8 @@ Case read_stored_case(const h5::Group& root);
 void write_value(h5::Group& group, const RunValue& value);
 std::vector<RunValue> read_values(const h5::Group& group);
 
-/// Appends frames, which hold the same sites and name the same numbers of bodies; contacts continue at row `contacts` of
-/// the run.
+/// Appends frames, which hold the same sites and name the same numbers of bodies; contacts continue at row `contacts`
+/// of the run.
 void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts);
 /// Frame `k` of this file, whose contacts start at row `contacts` of the run. Its length is (0, 0) where the file has
 /// none.

@@ -13,8 +13,8 @@ namespace supple {
 /// and all else in the run's units.
 PolygonScene scene_of(const RunInfo& info, const Frame& frame);
 
-/// Share of the cell that the bodies cover, and the pressure in it, where the frame has what they follow from: areas and
-/// pressures of bodies that add up to those of the cell; else not finite.
+/// Share of the cell that the bodies cover, and the pressure in it, where the frame has what they follow from: areas
+/// and pressures of bodies that add up to those of the cell; else not finite.
 struct CellNumbers {
   double packing_fraction, pressure;
 };

@@ -198,7 +198,8 @@ void SnapshotPage::legend_discs(double x, double& y) {
     }
     if (hatched) {
       std::vector<Point> ring;
-      for (int k = 0; k < 24; ++k) ring.push_back(Point{x + 5 + 4.5 * std::cos(k * 0.2618), y + 4.5 * std::sin(k * 0.2618)});
+      for (int k = 0; k < 24; ++k)
+        ring.push_back(Point{x + 5 + 4.5 * std::cos(k * 0.2618), y + 4.5 * std::sin(k * 0.2618)});
       hatch(ring, 3, {ink, 0.5});
     }
     canvas_.text({x + legend_sample + 5, y}, name, {.size = 8, .down = Down::middle});

@@ -8,8 +8,8 @@
 namespace supple {
 
 /// Reads a run of Supple (its final state; finished or not) or the JSON layout: `params`, `initial.spheres`,
-/// `initial.neighbors`, and numbers of the protocol beside them. JSON is in micrometre, mg and s and stays so; its pairs
-/// have width 2: history[2r] is the elongation of first toward second, history[2r+1] that of second toward first.
+/// `initial.neighbors`, and numbers of the protocol beside them. JSON is in micrometre, mg and s and stays so; its
+/// pairs have width 2: history[2r] is the elongation of first toward second, history[2r+1] that of second toward first.
 /// Throws a file error (file, where, what) where the file is unreadable, truncated, incomplete or inconsistent.
 InitialState read_state(const std::string& path);
 

@@ -18,7 +18,8 @@ enum class DriftCorrection { right, published };
 /// Stress = storage * gamma + loss * gamma'/omega + third harmonic + offset + drift; stresses in the series' unit.
 struct Demodulation {
   double storage = 0, loss = 0;              ///< G', G''
-  double storage_error = -1, loss_error = -1;  ///< standard error of the mean over cycles; -1 with fewer than two cycles
+  double storage_error = -1,
+         loss_error = -1;                    ///< standard error of the mean over cycles; -1 with fewer than two cycles
   double in_phase = 0, out_of_phase = 0;     ///< amplitudes of sin and cos: G', G'' times the strain amplitude
   double third_amplitude = 0, third_phase = 0;  ///< third_amplitude * sin(3 phase + third_phase) [radian]
   double offset = 0;                         ///< of the rest before the shear, at the start of shear

@@ -48,9 +48,9 @@ void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluatio
   book_losses(evaluation, -system.lag);
 }
 
-void EnergyBalance::book(double EnergyFlows::*flow, double sign, const System<2>& system) {
+void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>& system) {
   const double now = kinetic_energy_now(system.state);
-  flows_.*flow += sign * (now - kinetic_);
+  flows_.*part += sign * (now - kinetic_);
   kinetic_ = now;
 }
 

@@ -75,7 +75,8 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
   for (int i = 0; i < s.size(); ++i) {
     if (s.mobility[i] != Mobility::free) continue;
     if (box.periodic[gradient] && touches(i, gradient))
-      s.mobility[i] = s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
+      s.mobility[i] =
+          s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
     for (int d = 0; d < 2; ++d)
       if (!box.periodic[d] && touches(i, d)) s.mobility[i] = Mobility::fixed;
   }

@@ -37,7 +37,8 @@ inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, d
   const bool sticks = std::abs(trial.force) <= limit;
   const double force = std::copysign(limit, trial.force);
   const double held = slip.keeps * u + slip.follows * (force - eta_t * v_t);
-  return {sticks ? trial.force : force, sticks ? trial.elongation : held, sticks ? ContactState::stick : ContactState::slip};
+  return {sticks ? trial.force : force, sticks ? trial.elongation : held,
+          sticks ? ContactState::stick : ContactState::slip};
 }
 
 }  // namespace supple

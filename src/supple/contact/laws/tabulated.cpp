@@ -22,15 +22,18 @@ double integral(double a, double b, double c, double d, double s) {
 /// The checks of the constructor, at points dense enough to meet what a formula may do.
 void check_law(const RepulsionFunction& law, double c, const std::string& what) {
   const auto fail = [&](const std::string& problem, const std::string& to_do) {
-    throw input_error(what + " " + problem, "a repulsion law F(d, d0, k, c) must be finite, not attractive and continuous "
-                      "for 0 < d <= d0", to_do);
+    throw input_error(what + " " + problem,
+                      "a repulsion law F(d, d0, k, c) must be finite, not attractive and continuous "
+                      "for 0 < d <= d0",
+                      to_do);
   };
   if (const double at_contact = law(1, 1, 1, c); !(std::abs(at_contact) <= 1e-9))
     fail(fmt::format("is {:.4g} k d0 at contact, d = d0", at_contact), "make it zero there, e.g. a factor (d0 - d)");
   for (int i = 1; i <= 4000; ++i) {
     const double x = i <= 2000 ? std::exp2(-14.0 * (2000 - i) / 2000 - 1) : 0.5 + 0.5 * (i - 2000) / 2000.0;
     const double f = law(x, 1, 1, c);
-    if (!std::isfinite(f)) fail(fmt::format("is not finite at d = {:.4g} d0", x), "look for a division by zero or a root");
+    if (!std::isfinite(f))
+      fail(fmt::format("is not finite at d = {:.4g} d0", x), "look for a division by zero or a root");
     if (f < -1e-12) fail(fmt::format("attracts at d = {:.4g} d0 (F = {:.4g} k d0)", x, f),
                          "repulsion is positive: turn the sign");
     if (f > strongest * (1 + 1e-9))
