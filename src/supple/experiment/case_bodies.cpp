@@ -64,7 +64,7 @@ const Fields<Jamming>& fields() {
       {"step", &J::step, "", "largest relative step of the packing fraction", {0, 0.1, true, false}},
       {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
-      {"search", &J::search, "", "the chapter's halving of steps, a root search that ends in the same window, or minima of the enthalpy, faster where contacts are hard", any_value,
+      {"search", &J::search, "", "the chapter's halving of steps, a root search that ends in the same window, or minima of the enthalpy, faster where contacts are hard (a packing that is given goes on by the root search)", any_value,
        {"root", "chapter", "pressure"}},
       {"pressure_kind", &J::pressure_kind, "", "which pressure P is: the full virial (9.26), or of contacts alone", any_value,
        {"full", "contact"}},

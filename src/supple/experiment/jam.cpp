@@ -22,6 +22,10 @@ void require_room(const Packing& packing) {
                       fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least), "raise bodies.N");
 }
 
+bool in_window(const JamSpec& spec, double pressure) {
+  return pressure > spec.pressure && pressure < spec.pressure * (1 + spec.window);
+}
+
 namespace {
 
 /// A state of the search: densities are logarithms, ln phi = -2 ln L + constant.
@@ -35,7 +39,8 @@ class Search {
   Search(Packing& packing, const JamSpec& spec, const JamCallback& callback)
       : packing_(packing), spec_(spec), callback_(callback) {}
 
-  JamProgress run() {
+  JamProgress run(const JamProgress& before = {}) {
+    progress_ = before;
     Point low = minimised(packing_.system, 0);
     if (low.pressure >= spec_.pressure) return descend(low, spec_.step);
     return spec_.search == JamSearch::chapter ? halve_steps(low) : stride(low);
@@ -73,8 +78,7 @@ class Search {
   }
   static constexpr double longest_stride = 0.02;
 
-  bool in_window(double pressure) const { return pressure > spec_.pressure && pressure < spec_.pressure * (1 + spec_.window); }
-  bool jammed(const Point& p) const { return in_window(p.pressure); }
+  bool jammed(const Point& p) const { return in_window(spec_, p.pressure); }
 
   /// The state at `density`, reached from `from` at its density.
   Point minimised(const System<2>& from, double density, double from_density = 0) {
@@ -86,7 +90,7 @@ class Search {
     const bool exact = spec_.search == JamSearch::chapter || !(spec_.coarse > 0);
     bool below = exact ? minimise_exactly() : minimise_coarsely();
     // A state is not taken before it is in equilibrium; a second run starts where the first gave up.
-    if (!progress_.last.converged && in_window(progress_.state.pressure)) below = minimise_exactly();
+    if (!progress_.last.converged && in_window(spec_, progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
     if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
     return {packing_.system, density, below ? 0 : progress_.state.pressure};
@@ -115,6 +119,7 @@ class Search {
 
   void count(const MinimiseReport& report) {
     progress_.last = report;
+    progress_.settled = report.converged;
     progress_.state = observe(packing_);
     progress_.evaluations += report.evaluations;
   }
@@ -213,8 +218,12 @@ class Search {
 }  // namespace
 
 JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
-  if (spec.search == JamSearch::pressure) return jam_at_pressure(packing, spec, callback);
-  return Search(packing, spec, callback).run();
+  JamProgress work;
+  if (spec.search != JamSearch::pressure) return Search(packing, spec, callback).run();
+  if (jam_at_pressure(packing, spec, callback, work)) return work;
+  JamSpec root = spec;
+  root.search = JamSearch::root;
+  return Search(packing, root, callback).run(work);
 }
 
 }  // namespace supple

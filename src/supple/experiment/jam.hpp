@@ -9,15 +9,16 @@ namespace supple {
 /// Chapter: shrink by steps; above the pressure go back to the state before and halve the step [MacKeith 2025, section 9.4]. Root: the same
 /// steps until the pressure is exceeded, then a root search between the last state below it and the first above; only states within a
 /// factor of two of the window are minimised to the last digit, as of the others no more is asked than on which side they are.
-/// Pressure: no search, but minima of the enthalpy at the wanted pressure, with contacts that begin soft and end as they are. Contacts
-/// much harder than the shapes leave a narrow, crooked way down to a minimum; soft ones lead near it.
+/// Pressure: minima of the enthalpy at the wanted pressure, with contacts that begin soft and end as they are; and the root search from
+/// where particles first press on each other, should that lead nowhere. Contacts much harder than the shapes leave a narrow, crooked way
+/// down to a minimum; soft ones lead near it.
 enum class JamSearch { chapter, root, pressure };
 
 struct JamSpec {
   JamSearch search = JamSearch::root;
   double pressure = 1e-7, window = 0.01;  ///< done when 1 < P/pressure < 1 + window [pressure unit]
   double step = 1e-3;                     ///< largest relative step of the packing fraction
-  double coarse = 1e-3;                   ///< force tolerance of states far from the pressure [mean contact force]; root only
+  double coarse = 1e-3;                   ///< force tolerance of states far from the end [mean contact force]; not with chapter
 };
 
 /// The search that the case asks for.
@@ -28,11 +29,15 @@ struct JamProgress {
   PackingState state;
   MinimiseReport last;
   long minimisations = 0, evaluations = 0, unconverged = 0;
+  bool settled = true;  ///< the state is a minimum of the energy itself, to the tolerance that was asked for
 };
 using JamCallback = std::function<bool(const JamProgress&)>;
 
-/// What jam() does for JamSearch::pressure.
-JamProgress jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback);
+/// The minima of the enthalpy of JamSearch::pressure. False if they do not lead to a packing in the window, with the
+/// packing where its particles first pressed on each other.
+bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback, JamProgress& progress);
+
+bool in_window(const JamSpec& spec, double pressure);
 
 /// Input error where the cell is so small that a body meets itself, or one neighbour through two images.
 void require_room(const Packing& packing);

@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/model/bodies.hpp"
+#include "supple/observe/shape_measures.hpp"
 #include "supple/solve/cell_objective.hpp"
 
 namespace supple {
@@ -37,36 +36,83 @@ constexpr Stage stages[] = {{1e-3, 5}, {1e-2, 1}};
 
 class Press {
  public:
-  Press(Packing& packing, const JamSpec& spec, const JamCallback& callback) : packing_(packing), spec_(spec), callback_(callback) {}
+  Press(Packing& packing, const JamSpec& spec, const JamCallback& callback, JamProgress& progress)
+      : packing_(packing), spec_(spec), callback_(callback), progress_(progress) {}
 
-  JamProgress run() {
+  bool run() {
     approach();
-    // Soft contacts make sense where shapes are stiffer than they are.
-    const auto& shapes = packing_.system.shape.stiffness;
-    const auto bears = [](const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0; };
-    const ForceTolerance exact = packing_.tolerance;
-    const ForceTolerance coarse{std::max(exact.relative, spec_.coarse), std::max(exact.least, spec_.coarse * force_at(spec_.pressure))};
-    if (std::any_of(shapes.begin(), shapes.end(), bears))
-      for (const Stage& stage : stages) {
-        const Softened soft(*packing_.field->bodies(), stage.stiffness);
-        press(stage.pressure, coarse);
-      }
-    for (int k = 0; k < most_rounds; ++k) {
-      press(1, k < 3 ? coarse : exact);
-      count(relax(packing_));
-      progress_.unconverged += !progress_.last.converged;
-      const double p = progress_.state.pressure;
-      if (progress_.last.converged && p > spec_.pressure && p < spec_.pressure * (1 + spec_.window)) return progress_;
+    const System<2> approached = packing_.system;
+    const auto go_back = [&] {
+      packing_.system = approached;
+      packing_.field->invalidate();
+    };
+    try {
+      soften();
+      if (bodies_inside_others(packing_.system).empty() && harden()) return true;
+    } catch (const Error&) {
+      if (!progress_.settled) go_back();  // or the state handed over would be one of softened contacts
+      throw;
     }
-    throw numerics_error(fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
-                         fmt::format("after {} minimisations P = {:.6g}", progress_.minimisations, progress_.state.pressure),
-                         progress_.unconverged > 0 ? "raise minimise.max_evaluations, or take another seed"
-                                                   : "widen jamming.window, or take another seed");
+    go_back();
+    return false;
   }
 
  private:
   static constexpr int most_rounds = 20;
   static constexpr double longest_stride = 0.02;
+  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that vertices pass each other.
+  static constexpr double most_yield = 0.01;
+
+  /// Through the stages, where contacts are harder than the shapes.
+  void soften() {
+    const auto& shapes = packing_.system.shape.stiffness;
+    const auto bears = [](const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0; };
+    if (std::none_of(shapes.begin(), shapes.end(), bears)) return;
+    for (const Stage& stage : stages) {
+      const double share = std::max(stage.stiffness, stiffness_needed(stage.pressure));
+      if (share >= 1) continue;
+      const Softened soft(*packing_.field->bodies(), share);
+      press(stage.pressure, coarse_tolerance());
+    }
+  }
+
+  /// With contacts as they are: true in the window; false if the pressure is lost again and again.
+  bool harden() {
+    for (int k = 0, losses = 0; k < most_rounds && losses < 2; ++k) {
+      press(1, k < 3 ? coarse_tolerance() : packing_.tolerance);
+      const MinimiseReport report = relax(packing_);
+      progress_.unconverged += !report.converged;
+      count(report, report.converged);
+      if (report.converged && in_window(spec_, progress_.state.pressure))
+        return bodies_inside_others(packing_.system).empty();
+      losses += progress_.state.pressure < 0.1 * spec_.pressure;
+    }
+    return false;
+  }
+
+  /// Share of their stiffness that contacts need at so many times the pressure.
+  double stiffness_needed(double times) const {
+    const System<2>& s = packing_.system;
+    const int bodies = s.topology.body_count(s.state.size());
+    double particle = 0;
+    for (int b = 0; b < bodies; ++b) particle += 2 * outer_radius(s, b) / bodies;
+    const double sigma = mean_diameter();
+    const double force = times * spec_.pressure * packing_.pressure_unit * particle;
+    return force / (most_yield * sigma * packing_.field->bodies()->law().spring(sigma));
+  }
+
+  ForceTolerance coarse_tolerance() const {
+    const ForceTolerance& exact = packing_.tolerance;
+    const double force = spec_.pressure * packing_.pressure_unit * mean_diameter();
+    return {std::max(exact.relative, spec_.coarse), std::max(exact.least, spec_.coarse * force)};
+  }
+
+  /// Of vertices.
+  double mean_diameter() const {
+    double sum = 0;
+    for (const double r : packing_.system.state.radius) sum += 2 * r;
+    return sum / packing_.system.state.size();
+  }
 
   /// Shrinks the cell for as long as particles get out of each other's way at once.
   void approach() {
@@ -75,7 +121,7 @@ class Press {
       packing_.minimise.max_evaluations = std::min(most, 500L);
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
-      count(report);
+      count(report, report.converged);
       if (progress_.state.pressure > (report.converged ? 0.1 : stages[0].pressure) * spec_.pressure) return;
       const double factor = std::exp(-0.5 * step);
       scale_cell(packing_.system, {factor, factor});
@@ -99,7 +145,7 @@ class Press {
       const MinimiseReport report = minimise(objective, x, packing_.minimise, watch);
       require_room(packing_);
       learn_ratio(ratio * wanted);
-      count(report);
+      count(report, false);
       if (report.reason != "stopped by the caller") break;
     }
   }
@@ -112,7 +158,8 @@ class Press {
     if (balanced && s.contact_pressure > 0) ratio_ = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
   }
 
-  void count(const MinimiseReport& report) {
+  void count(const MinimiseReport& report, bool settled) {
+    progress_.settled = settled;
     progress_.last = report;
     progress_.state = observe(packing_);
     progress_.evaluations += report.evaluations;
@@ -120,24 +167,17 @@ class Press {
     if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
   }
 
-  /// A contact force at this pressure, roughly.
-  double force_at(double pressure) const {
-    double diameter = 0;
-    for (const double r : packing_.system.state.radius) diameter += 2 * r / packing_.system.state.size();
-    return pressure * packing_.pressure_unit * diameter;
-  }
-
   Packing& packing_;
   const JamSpec& spec_;
   const JamCallback& callback_;
-  JamProgress progress_;
+  JamProgress& progress_;
   double ratio_ = 1;  ///< of the pressure of all forces to the one wanted
 };
 
 }  // namespace
 
-JamProgress jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
-  return Press(packing, spec, callback).run();
+bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback, JamProgress& progress) {
+  return Press(packing, spec, callback, progress).run();
 }
 
 }  // namespace supple

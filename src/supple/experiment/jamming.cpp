@@ -34,7 +34,7 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
   const auto watch = [&](const JamProgress& p) {
     const double row[] = {covered_fraction(packing), p.state.full_pressure,  p.state.contact_pressure,
                           p.state.energy,           p.last.residual, static_cast<double>(p.evaluations)};
-    recorder.append("packing", row);
+    if (p.settled) recorder.append("packing", row);
     // The way from the start to about 0.84 in packing fraction, which nobody knows exactly before.
     const double way = (std::log(p.state.packing_fraction) - start) / (std::log(0.9) - start);
     recorder.progress(fmt::format("jam, phi = {:.4f}, P = {:.2e}", p.state.packing_fraction, p.state.pressure),
@@ -42,7 +42,9 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
     return !recorder.stop_requested();
   };
   try {
-    const JamProgress end = jam(packing, jam_spec(c), watch);
+    JamSpec spec = jam_spec(c);
+    if (initial && spec.search == JamSearch::pressure) spec.search = JamSearch::root;  // soft contacts would rearrange it
+    const JamProgress end = jam(packing, spec, watch);
     record_packing(packing, end, recorder);
   } catch (const Error&) {
     hand_over(packing, recorder);

@@ -1,0 +1,71 @@
+/// Where minima of the enthalpy with softened contacts could lead astray.
+#include <gtest/gtest.h>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/jam.hpp"
+#include "supple/observe/shape_measures.hpp"
+
+namespace supple {
+namespace {
+
+Case pressed(const char* family, double pressure, int seed) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.general.seed = seed;
+  c.bodies.family = family;
+  c.bodies.count = 16;
+  c.bodies.vertices = 20;
+  c.jamming.packing_fraction = 0.4;
+  c.jamming.step = 0.01;
+  c.jamming.search = "pressure";
+  c.jamming.pressure = pressure;
+  resolve_family(c);
+  return c;
+}
+
+void expect_sound(const Packing& packing, const JamSpec& spec, const JamProgress& end) {
+  Packing p = packing;
+  const PackingState s = observe(p);
+  EXPECT_TRUE(end.last.converged && end.settled);
+  EXPECT_TRUE(in_window(spec, s.full_pressure)) << s.full_pressure;
+  EXPECT_LT(s.contact_pressure, s.full_pressure);
+  EXPECT_TRUE(bodies_inside_others(p.system).empty());
+}
+
+/// Contacts of a thousandth of their stiffness would let vertices through.
+TEST(JamAtPressure, ParticlesStayOutsideOfEachOtherAtHighPressures) {
+  for (const double pressure : {1e-4, 1e-3}) {
+    const Case c = pressed("shell", pressure, 1);
+    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+    expect_sound(packing, jam_spec(c), jam(packing, jam_spec(c)));
+  }
+}
+
+/// Here equilibrium at the density of the minimum of the enthalpy has no pressure: it was a saddle.
+TEST(JamAtPressure, GoesOnByTheRootSearchWherePressureIsLost) {
+  const Case c = pressed("droplet", 1e-7, 1);
+  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  expect_sound(packing, jam_spec(c), jam(packing, jam_spec(c)));
+}
+
+TEST(JamAtPressure, AnInterruptedRunKeepsNothingOfSoftContacts) {
+  const Case c = pressed("shell", 1e-5, 1);
+  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  const double stiffness = packing.field->bodies()->law().stiffness;
+  int soft = 0;
+  const auto until_soft = [&](const JamProgress& p) {
+    if (packing.field->bodies()->law().stiffness < stiffness) {
+      ++soft;
+      EXPECT_FALSE(p.settled);
+    }
+    return soft == 0;
+  };
+  EXPECT_THROW(jam(packing, jam_spec(c), until_soft), Error);
+  EXPECT_EQ(soft, 1);
+  EXPECT_EQ(packing.field->bodies()->law().stiffness, stiffness);
+  // Nearly a thousand times more if it were the state of contacts of a thousandth.
+  EXPECT_LT(observe(packing).contact_pressure, 30 * c.jamming.pressure);
+}
+
+}  // namespace
+}  // namespace supple
