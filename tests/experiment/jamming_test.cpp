@@ -40,7 +40,8 @@ Case small_case(const Family& f) {
 
 class JammingOf : public ::testing::TestWithParam<Family> {};
 
-/// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with their centres.
+/// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with their
+/// centres.
 double strained_energy(const Packing& packing, int i, int j, double e) {
   Packing p = packing;
   System<2>& s = p.system;
@@ -113,8 +114,8 @@ TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   c.jamming.pressure = 3e-3;
   Packing packing = make_packing(c, nullptr, 0.4);
   jam(packing, jam_spec(c));
-  // The two agree in any state. In equilibrium rattlers just touch, where the energy has a kink in its second derivative and differences
-  // mean nothing: shake the packing a little.
+  // The two agree in any state. In equilibrium rattlers just touch, where the energy has a kink in its second
+  // derivative and differences mean nothing: shake the packing a little.
   System<2>& s = packing.system;
   RandomStream draw(2, Purpose::test);
   for (std::size_t i = 0; i < s.state.position.size(); ++i)
@@ -133,17 +134,19 @@ TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       EXPECT_NEAR(sum[i][j] / area, stress[i][j], 1e-12 * scale) << i << j;
-      EXPECT_NEAR(r.evaluation.virial[i][j] / area, stress[i][j], s.rigid.body.empty() ? 1e-12 * scale : 1e-5 * scale) << i << j;
+      EXPECT_NEAR(r.evaluation.virial[i][j] / area, stress[i][j], s.rigid.body.empty() ? 1e-12 * scale : 1e-5 * scale)
+          << i << j;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, JammingOf,
-                         ::testing::Values(Family{"shell", "shell", "rough"}, Family{"floppy_104", "floppy", "rough", 1.04},
-                                           Family{"floppy_115", "floppy", "rough", 1.15}, Family{"droplet", "droplet", "rough"},
-                                           Family{"smooth_shell", "shell", "smooth"}, Family{"smooth_droplet", "droplet", "smooth"},
-                                           Family{"disc", "disc", "rough"}, Family{"rough_disc", "rough_disc", "rough"},
-                                           Family{"mixed", "shell", "rough", 0, 4, 2}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
-                         [](const auto& given) { return std::string(given.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Families, JammingOf,
+    ::testing::Values(Family{"shell", "shell", "rough"}, Family{"floppy_104", "floppy", "rough", 1.04},
+                      Family{"floppy_115", "floppy", "rough", 1.15}, Family{"droplet", "droplet", "rough"},
+                      Family{"smooth_shell", "shell", "smooth"}, Family{"smooth_droplet", "droplet", "smooth"},
+                      Family{"disc", "disc", "rough"}, Family{"rough_disc", "rough_disc", "rough"},
+                      Family{"mixed", "shell", "rough", 0, 4, 2}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
+    [](const auto& given) { return std::string(given.param.name); });
 
 TEST(Jamming, AllSearchesEndInTheSameWindow) {
   Case c = small_case({"disc", "disc", "rough"});
@@ -195,7 +198,8 @@ TEST(Compression, GoesUpTheListAndBack) {
   MemoryRecorder recorder;
   run_compression(c, nullptr, recorder);
   const auto& table = recorder.tables.at("packing");
-  const std::vector<double> p = table.column("pressure"), phi = table.column("packing_fraction"), branch = table.column("branch");
+  const std::vector<double> p = table.column("pressure"), phi = table.column("packing_fraction"),
+                            branch = table.column("branch");
   ASSERT_EQ(p.size(), 9u);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const double wanted = 1e-5 * std::pow(10, 0.5 * static_cast<double>(k < 5 ? k : 8 - k));
@@ -207,7 +211,8 @@ TEST(Compression, GoesUpTheListAndBack) {
   EXPECT_EQ(recorder.frames.size(), 10u);
 }
 
-/// The least p^2/(4 pi a) is below what the edges want: the regular polygon is a saddle, however far from its neighbours.
+/// The least p^2/(4 pi a) is below what the edges want: the regular polygon is a saddle, however far from its
+/// neighbours.
 TEST(Packing, FreeParticlesFindTheirPreferredShape) {
   Case c = small_case({"floppy", "floppy", "rough", 1.02});
   c.bodies.vertices = 20;

@@ -44,7 +44,9 @@ TEST(Sums, LargestSquareOfPairs) {
 TEST(Fire, ReportsTheEnergyOfTheLastPoint) {
   struct Cheap : StiffChain {
     using StiffChain::StiffChain;
-    double evaluate(std::span<const double> x, std::span<double> g) override { return ++with_energy, StiffChain::evaluate(x, g); }
+    double evaluate(std::span<const double> x, std::span<double> g) override {
+      return ++with_energy, StiffChain::evaluate(x, g);
+    }
     void evaluate_slope(std::span<const double> x, std::span<double> g) override { StiffChain::evaluate(x, g); }
     double tolerance() const override { return 1e-3; }
     int with_energy = 0;

@@ -9,23 +9,37 @@ template <>
 const Fields<Bodies>& fields() {
   using B = Bodies;
   static const Fields<B> f{
-      {"family", &B::family, "", "shape energy (Table 9.1), or smooth discs, or rigid polygons", any_value,
+      {"family",
+       &B::family,
+       "",
+       "shape energy (Table 9.1), or smooth discs, or rigid polygons",
+       any_value,
        {"shell", "floppy", "droplet", "disc", "rough_disc"}},
       {"N", &B::count, "", "number of particles", {1, 1e6}},
       {"vertices", &B::vertices, "", "vertices of a small particle", {3, 1e5}},
-      {"vertex_rule", &B::vertex_rule, "", "large particles have as many vertices, or size_ratio times as many", any_value,
+      {"vertex_rule",
+       &B::vertex_rule,
+       "",
+       "large particles have as many vertices, or size_ratio times as many",
+       any_value,
        {"equal", "scaled"}},
       {"size_ratio", &B::size_ratio, "", "large over small diameter", {1, 100}},
       {"large_fraction", &B::large_fraction, "", "share of large particles", fraction},
       {"A0", &B::shape_parameter, "", "preferred p^2/(4 pi a); 0: of the regular polygon, the least", not_negative},
       {"diameter_ratio", &B::diameter_ratio, "", "vertex diameter sigma over preferred edge length", positive},
-      {"stiffness", &B::stiffness, "", "relative: (k/2)(l/l0 - 1)^2; absolute: (k/2)(l - l0)^2", any_value, {"relative", "absolute"}},
+      {"stiffness",
+       &B::stiffness,
+       "",
+       "relative: (k/2)(l/l0 - 1)^2; absolute: (k/2)(l - l0)^2",
+       any_value,
+       {"relative", "absolute"}},
       {"k_a", &B::k_a, "", "stiffness of the area", not_negative},
       {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative},
       {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative},
       {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
-      {"yield_strain", &B::yield_strain, "", "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative},
+      {"yield_strain", &B::yield_strain, "",
+       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative},
       {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative},
   };
   return f;
@@ -48,9 +62,16 @@ template <>
 const Fields<Minimisation>& fields() {
   using M = Minimisation;
   static const Fields<M> f{
-      {"method", &M::method, "", "FIRE, then second order; or one of them alone", any_value, {"auto", "fire", "newton"}},
-      {"force_tolerance", &M::force_tolerance, "mean contact force", "largest net force on a vertex in equilibrium", positive},
-      {"least_force", &M::least_force, "", "net force that is equilibrium whatever touches; 0: from the wanted pressure", not_negative},
+      {"method",
+       &M::method,
+       "",
+       "FIRE, then second order; or one of them alone",
+       any_value,
+       {"auto", "fire", "newton"}},
+      {"force_tolerance", &M::force_tolerance, "mean contact force", "largest net force on a vertex in equilibrium",
+       positive},
+      {"least_force", &M::least_force, "",
+       "net force that is equilibrium whatever touches; 0: from the wanted pressure", not_negative},
       {"max_evaluations", &M::max_evaluations, "", "force evaluations before a minimisation gives up", at_least_one},
   };
   return f;
@@ -60,13 +81,26 @@ template <>
 const Fields<Jamming>& fields() {
   using J = Jamming;
   static const Fields<J> f{
-      {"packing_fraction", &J::packing_fraction, "", "where the search starts, at random positions", {0, 0.8, true, false}},
+      {"packing_fraction",
+       &J::packing_fraction,
+       "",
+       "where the search starts, at random positions",
+       {0, 0.8, true, false}},
       {"step", &J::step, "", "largest relative step of the packing fraction", {0, 0.1, true, false}},
       {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
-      {"search", &J::search, "", "the chapter's halving of steps, a root search that ends in the same window, or minima of the enthalpy, faster where contacts are hard (a packing that is given goes on by the root search)", any_value,
+      {"search",
+       &J::search,
+       "",
+       "the chapter's halving of steps, a root search that ends in the same window, or minima of the enthalpy, faster "
+       "where contacts are hard (a packing that is given goes on by the root search)",
+       any_value,
        {"root", "chapter", "pressure"}},
-      {"pressure_kind", &J::pressure_kind, "", "which pressure P is: the full virial (9.26), or of contacts alone", any_value,
+      {"pressure_kind",
+       &J::pressure_kind,
+       "",
+       "which pressure P is: the full virial (9.26), or of contacts alone",
+       any_value,
        {"full", "contact"}},
   };
   return f;
@@ -76,7 +110,8 @@ template <>
 const Fields<Compression>& fields() {
   using C = Compression;
   static const Fields<C> f{
-      {"highest_pressure", &C::highest_pressure, "k_a a0", "last pressure of the list that starts at jamming.pressure", positive},
+      {"highest_pressure", &C::highest_pressure, "k_a a0", "last pressure of the list that starts at jamming.pressure",
+       positive},
       {"per_decade", &C::per_decade, "", "pressures per decade, spaced logarithmically", at_least_one},
       {"decompress", &C::decompress, "", "also go back through the list"},
   };
@@ -89,9 +124,15 @@ const Fields<Uniaxial>& fields() {
   static const Fields<U> f{
       {"strain", &U::strain, "", "how far the upper wall comes down, over the height", {0, 0.9, true, false}},
       {"step", &U::step, "", "strain between two minimisations", {0, 0.1, true, false}},
-      {"packing_fraction", &U::packing_fraction, "", "of the area between the walls at random positions", {0, 0.95, true, false}},
+      {"packing_fraction",
+       &U::packing_fraction,
+       "",
+       "of the area between the walls at random positions",
+       {0, 0.95, true, false}},
       {"pressure", &U::pressure, "k_a a0",
-       "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid particles", not_negative},
+       "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid "
+       "particles",
+       not_negative},
       {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive},
   };
   return f;
@@ -103,8 +144,10 @@ const Fields<Slump>& fields() {
   static const Fields<S> f{
       {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive},
       {"width", &S::width, "mean particle diameter", "of the box in which the heap settles", at_least_one},
-      {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall", at_least_one},
-      {"settle_time", &S::settle_time, "sqrt(1/gravity)", "before the right wall is taken away, at most: less if all comes to rest", positive},
+      {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall",
+       at_least_one},
+      {"settle_time", &S::settle_time, "sqrt(1/gravity)",
+       "before the right wall is taken away, at most: less if all comes to rest", positive},
       {"spread_time", &S::spread_time, "sqrt(1/gravity)", "after it, at most", positive},
       {"rest", &S::rest, "", "kinetic energy of a heap at rest, over that of a fall of all by one diameter", positive},
   };
@@ -115,7 +158,8 @@ template <>
 const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
-      {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given", not_negative},
+      {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
+       not_negative},
       {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start", not_negative},
   };
   return f;
@@ -128,7 +172,8 @@ bool is_deformable(const Case& c) {
 
 std::vector<std::string> sections_of(const Case& c) {
   const std::string& name = c.general.experiment;
-  if (!is_deformable(c)) return {"", "material", "particles", "box", "shear", "time", "preparation", "initial", "output"};
+  if (!is_deformable(c))
+    return {"", "material", "particles", "box", "shear", "time", "preparation", "initial", "output"};
   std::vector<std::string> sections{"", "bodies", "contact"};
   if (name == "jamming") sections.insert(sections.end(), {"minimise", "jamming"});
   if (name == "compression") sections.insert(sections.end(), {"minimise", "jamming", "compression"});

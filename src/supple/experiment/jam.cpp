@@ -18,8 +18,10 @@ void require_room(const Packing& packing) {
     least = std::max(least, s.topology.body_size(b) == 1 ? 4 * s.state.radius[s.topology.body_begin(b)]
                                                          : 2 * outer_radius(s, b) + 2 * radius);
   if (s.box.length[0] < least)
-    throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}", s.topology.body_count(s.state.size()), s.box.length[0]),
-                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least), "raise bodies.N");
+    throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}",
+                                  s.topology.body_count(s.state.size()), s.box.length[0]),
+                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least),
+                      "raise bodies.N");
 }
 
 bool in_window(const JamSpec& spec, double pressure) {
@@ -92,7 +94,8 @@ class Search {
     // A state is not taken before it is in equilibrium; a second run starts where the first gave up.
     if (!progress_.last.converged && in_window(spec_, progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
-    if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
+    if (callback_ && !callback_(progress_))
+      throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
     return {packing_.system, density, below ? 0 : progress_.state.pressure};
   }
 
@@ -102,14 +105,16 @@ class Search {
     return false;
   }
 
-  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so little energy is left that the
-  /// pressure is below, whatever the rest of the way would do.
+  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so little energy
+  /// is left that the pressure is below, whatever the rest of the way would do.
   bool minimise_coarsely() {
     const ForceTolerance exact = packing_.tolerance;
     packing_.tolerance.relative = std::max(exact.relative, spec_.coarse);
     packing_.tolerance.least = std::max(exact.least, spec_.coarse * force_at(spec_.pressure));
     bool below = false;
-    const auto watch = [&](const MinimiseReport& r) { return !(below = r.energy > 0 && r.energy < least_energy(packing_, 0.5 * spec_.pressure)); };
+    const auto watch = [&](const MinimiseReport& r) {
+      return !(below = r.energy > 0 && r.energy < least_energy(packing_, 0.5 * spec_.pressure));
+    };
     count(relax(packing_, watch));
     packing_.tolerance = exact;
     const double p = progress_.state.pressure;
@@ -136,8 +141,8 @@ class Search {
     return progress_;
   }
 
-  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays jammed on the way down to
-  /// densities at which it had not yet on the way up.
+  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays jammed on
+  /// the way down to densities at which it had not yet on the way up.
   enum class From { below, above };
 
   /// Already above: goes down by growing steps until below, then searches between, from the state above.
@@ -151,8 +156,8 @@ class Search {
     }
   }
 
-  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the weight of an end that stays
-  /// halved [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
+  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the weight of an
+  /// end that stays halved [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
   JamProgress find_root(Point low, Point high, From from) {
     const double target = spec_.pressure * (1 + 0.5 * spec_.window);
     double low_weight = 1, high_weight = 1;
@@ -188,7 +193,8 @@ class Search {
   }
   static constexpr int most_turns = 6;
 
-  /// Where the line through the last two states above meets the target, as a share of the interval; its middle before there are two.
+  /// Where the line through the last two states above meets the target, as a share of the interval; its middle before
+  /// there are two.
   double guess_from_above(const Point& low, const Point& high) const {
     if (!(slope_ > 0)) return 0.5;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
@@ -198,12 +204,13 @@ class Search {
 
   Error lost(const Point& low, const Point& high) {
     packing_.system = low.system;
-    return numerics_error(fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
-                          fmt::format("between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
-                                      "there, or its minimisations stop too early",
-                                      low.pressure, high.pressure, high.density - low.density),
-                          progress_.unconverged > 0 ? "raise minimise.max_evaluations, or take another seed"
-                                                    : "widen jamming.window, or take another seed");
+    return numerics_error(
+        fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
+        fmt::format("between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
+                    "there, or its minimisations stop too early",
+                    low.pressure, high.pressure, high.density - low.density),
+        progress_.unconverged > 0 ? "raise minimise.max_evaluations, or take another seed"
+                                  : "widen jamming.window, or take another seed");
   }
 
   Packing& packing_;

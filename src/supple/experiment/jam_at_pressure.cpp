@@ -60,7 +60,8 @@ class Press {
  private:
   static constexpr int most_rounds = 20;
   static constexpr double longest_stride = 0.02;
-  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that vertices pass each other.
+  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that vertices
+  /// pass each other.
   static constexpr double most_yield = 0.01;
 
   /// Through the stages, where contacts are harder than the shapes.
@@ -133,11 +134,14 @@ class Press {
   /// A minimum of the enthalpy at so many times the pressure.
   void press(double times, const ForceTolerance& tolerance) {
     for (int k = 0; k < most_rounds; ++k) {
-      const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = ratio_, length = packing_.system.box.length[0];
+      const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = ratio_,
+                   length = packing_.system.box.length[0];
       packing_.field->invalidate();
-      CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false}, ratio * wanted * packing_.pressure_unit);
+      CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false},
+                              ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
-      // Numbers are those of the cell at the start, and the pressure that of all forces: begin anew where either has changed.
+      // Numbers are those of the cell at the start, and the pressure that of all forces: begin anew where either has
+      // changed.
       const auto watch = [&](const MinimiseReport&) {
         if (k < 2) learn_ratio(ratio * wanted);
         return std::abs(ratio_ - ratio) < 0.3 * ratio && std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
@@ -150,7 +154,8 @@ class Press {
     }
   }
 
-  /// The minimiser knows the pressure of all forces: how much of it contacts bear is learnt on the way, where it is about what it shall be.
+  /// The minimiser knows the pressure of all forces: how much of it contacts bear is learnt on the way, where it is
+  /// about what it shall be.
   void learn_ratio(double pressure) {
     if (!packing_.contact_pressure) return;
     const PackingState s = observe(packing_);
@@ -164,7 +169,8 @@ class Press {
     progress_.state = observe(packing_);
     progress_.evaluations += report.evaluations;
     ++progress_.minimisations;
-    if (callback_ && !callback_(progress_)) throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
+    if (callback_ && !callback_(progress_))
+      throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
   }
 
   Packing& packing_;

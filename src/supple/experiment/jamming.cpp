@@ -12,7 +12,9 @@ namespace supple {
 
 JamSpec jam_spec(const Case& c) {
   const std::string& name = c.jamming.search;
-  const JamSearch search = name == "chapter" ? JamSearch::chapter : name == "pressure" ? JamSearch::pressure : JamSearch::root;
+  const JamSearch search = name == "chapter"    ? JamSearch::chapter
+                           : name == "pressure" ? JamSearch::pressure
+                                                : JamSearch::root;
   return {search, c.jamming.pressure, c.jamming.window, c.jamming.step};
 }
 
@@ -43,7 +45,8 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
   };
   try {
     JamSpec spec = jam_spec(c);
-    if (initial && spec.search == JamSearch::pressure) spec.search = JamSearch::root;  // soft contacts would rearrange it
+    if (initial && spec.search == JamSearch::pressure)
+      spec.search = JamSearch::root;  // soft contacts would rearrange it
     const JamProgress end = jam(packing, spec, watch);
     record_packing(packing, end, recorder);
   } catch (const Error&) {

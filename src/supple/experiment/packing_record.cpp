@@ -36,8 +36,9 @@ void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorde
         "{} particles have vertices inside another one: vertices have passed an edge; lower the step",
         r.inside));
   if (progress.unconverged > 0)
-    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance, the last one: {}",
-                                 progress.unconverged, progress.minimisations, progress.last.reason));
+    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance{}", progress.unconverged,
+                                 progress.minimisations,
+                                 progress.last.converged ? "" : ", the last one too: " + progress.last.reason));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::vector<Column> uniaxial_columns(const Packing& packing) {
   columns.push_back(
       {"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"});
   columns.push_back(
-      {"overlap_area", "", "share of the particles' area that lies in another one, or in a wall"});
+      {"overlap_area", "", "share of the particles' area that lies in another one"});
   columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a)"});
   return columns;
 }

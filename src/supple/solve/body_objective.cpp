@@ -9,7 +9,8 @@ namespace supple {
 double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
   double sum = 0;
   const std::vector<ContactRecord<2>> records = contacts.records(system);
-  for (const ContactRecord<2>& r : records) sum += std::abs(r.multiplicity) * contacts.law().force(r.distance(), r.reach);
+  for (const ContactRecord<2>& r : records)
+    sum += std::abs(r.multiplicity) * contacts.law().force(r.distance(), r.reach);
   return records.empty() ? 0 : sum / static_cast<double>(records.size());
 }
 
@@ -58,11 +59,13 @@ double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
     const ShapeStiffness& k = system.shape.stiffness[b];
     const std::int32_t first = system.topology.facet_begin[b], end = system.topology.facet_begin[b + 1];
     if (first == end) continue;
-    const double l = *std::min_element(&system.shape.rest_facet[first], &system.shape.rest_facet[first] + (end - first));
+    const double l =
+        *std::min_element(&system.shape.rest_facet[first], &system.shape.rest_facet[first] + (end - first));
     most = std::max(most, 2 * k.facet + 6 * k.hinge / (l * l) + k.tension / l);
   }
   if (contacts && !system.state.radius.empty())
-    most = std::max(most, contacts->law().spring(2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
+    most = std::max(
+        most, contacts->law().spring(2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
   return most;
 }
 
@@ -90,7 +93,8 @@ void BodyObjective::evaluate(std::span<const double> x, std::span<double> slope,
   degrees_.write(x, system_);
   field_.evaluate(system_, detail, out_);
   degrees_.gradient(system_, out_.force, slope);
-  // The mean contact force changes slowly: it need not be counted at every step, only before one believes the tolerance.
+  // The mean contact force changes slowly: it need not be counted at every step, only before one believes the
+  // tolerance.
   if (--until_refresh_ < 0 || residual(x, slope) <= tolerance_now_) refresh_tolerance(x);
 }
 
@@ -101,7 +105,9 @@ double largest_net_force(const System<2>& system, const std::vector<Vec2>& force
   return largest_net(degrees, slope);
 }
 
-double BodyObjective::residual(std::span<const double>, std::span<const double> slope) { return largest_net(degrees_, slope); }
+double BodyObjective::residual(std::span<const double>, std::span<const double> slope) {
+  return largest_net(degrees_, slope);
+}
 
 void BodyObjective::refresh_tolerance(std::span<const double> x) {
   constexpr int interval = 100;

@@ -6,8 +6,9 @@
 
 namespace supple {
 
-/// When a packing is in equilibrium: the largest net force on a degree of freedom is below relative * (mean contact force), or below
-/// least [force], which serves where nothing touches; never less than what the last digits of the positions make.
+/// When a packing is in equilibrium: the largest net force on a degree of freedom is below relative * (mean contact
+/// force), or below least [force], which serves where nothing touches; never less than what the last digits of the
+/// positions make.
 struct ForceTolerance {
   double relative = 1e-6, least = 1e-13;
 };
@@ -22,9 +23,13 @@ class BodyObjective final : public Objective {
 
   int size() const override { return degrees_.size(); }
   double evaluate(std::span<const double> x, std::span<double> gradient) override;
-  void evaluate_slope(std::span<const double> x, std::span<double> slope) override { evaluate(x, slope, Detail::forces); }
+  void evaluate_slope(std::span<const double> x, std::span<double> slope) override {
+    evaluate(x, slope, Detail::forces);
+  }
   void hessian(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::exact, lower); }
-  void preconditioner(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::sparse, lower); }
+  void preconditioner(std::span<const double> x, SparseMatrix& lower) override {
+    assemble(x, HessianKind::sparse, lower);
+  }
   /// Largest net force on a site, or on a rigid body along one of its numbers.
   double residual(std::span<const double> x, std::span<const double> slope) override;
   const BodyDegrees& degrees() const { return degrees_; }

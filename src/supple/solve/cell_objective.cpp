@@ -5,10 +5,16 @@
 
 namespace supple {
 
-CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom, double pressure,
-                             double shear_stress)
-    : system_(system), field_(field), bodies_(system, field, tolerance), freedom_(freedom), pressure_(pressure),
-      shear_stress_(shear_stress), start_(system.box), at_(static_cast<std::size_t>(bodies_.size())) {
+CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,
+                             double pressure, double shear_stress)
+    : system_(system),
+      field_(field),
+      bodies_(system, field, tolerance),
+      freedom_(freedom),
+      pressure_(pressure),
+      shear_stress_(shear_stress),
+      start_(system.box),
+      at_(static_cast<std::size_t>(bodies_.size())) {
   const std::vector<std::int32_t>& sites = bodies_.degrees().sites();
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -99,7 +105,9 @@ void CellObjective::assemble(std::span<const double> x, HessianKind kind, Sparse
     evaluate(moved, below);
     moved[k] = x[k];
     for (int column = 0; column <= row; ++column)
-      entries.emplace_back(row, column, (above[static_cast<std::size_t>(column)] - below[static_cast<std::size_t>(column)]) / (2 * step));
+      entries.emplace_back(
+          row, column,
+          (above[static_cast<std::size_t>(column)] - below[static_cast<std::size_t>(column)]) / (2 * step));
   }
   lower.resize(size(), size());
   lower.setFromTriplets(entries.begin(), entries.end());

@@ -61,7 +61,7 @@ MinimiseReport minimise(Objective& objective, std::span<double> x, const Minimis
                       fmt::format("the objective has {}", objective.size()), "give as many");
   Descent descent(objective, x);
   descent.max_evaluations = spec.max_evaluations;
-  descent.callback_interval = spec.callback_interval;
+  descent.callback_interval = std::max(1L, spec.callback_interval);
   descent.callback = callback;
   if (!descent.evaluate()) descent.stop("energy or gradient is not finite at the start");
 
