@@ -53,6 +53,23 @@ TEST_F(BadInput, RateThatIsNoExpression) {
   expect_refused("experiment = \"dynamics\"\n[time]\nsteps = 10\n[shear]\nrate = \"10*cos(\"\n", 2, "rate");
 }
 
+TEST_F(BadInput, RatesThatAreNotFiniteNameTheFormulaAndTheTimeBeforeAnythingRuns) {
+  for (const std::string rate : {"1/t", "1/0", "sqrt(t-1)"}) {
+    const Outcome run =
+        supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=" + rate + "'");
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("[shear] rate \"" + rate + "\" is "));
+    EXPECT_THAT(run.err, HasSubstr("at t = 0;"));
+    EXPECT_EQ(entries(), 0);
+  }
+}
+
+TEST_F(BadInput, FormulasWithADecimalCommaOrAnAssignmentAreRefused) {
+  const std::string law = "[material]\nelastic_law = \"expression\"\nelastic_expression = ";
+  expect_refused(law + "\"0,5*k*(d0-d)\"\n", 2, "decimals have a point: 0.5");
+  expect_refused(law + "\"d=d0 ? 0 : k*(d0-d)\"\n", 2, "a single = sets a variable; == compares");
+}
+
 TEST_F(BadInput, LawsThatDivergeAttractOrAreNotFinite) {
   const std::string law = "[material]\nelastic_law = \"expression\"\nelastic_expression = ";
   expect_refused(law + "\"k*(d0-d)*d0/d\"\n", 2, "diverges: 3.26");
@@ -64,7 +81,7 @@ TEST_F(BadInput, LawsThatDivergeAttractOrAreNotFinite) {
 
 TEST_F(BadInput, ARunThatBecomesNotFiniteStopsAndKeepsWhatItHad) {
   const Outcome run = supple("run " SUPPLE_SOURCE_DIR
-                             "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=exp(10*(t-0.5)^3*1e6)'");
+                             "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=min(exp(10*(t-0.5)^3*1e6), 1e300)'");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_THAT(run.err, testing::ContainsRegex("disc [01] is not finite at step [0-9]+"));
   EXPECT_THAT(run.err, HasSubstr("what was computed is in r.h5"));

@@ -31,16 +31,28 @@ double damping_per_step(const Case& c, const InitialState* initial, double time_
   return of_case;
 }
 
+/// Finds a rate that is not finite before the run comes to it, at 1000 times.
+void check_rate(const Expression& rate, double start, double duration) {
+  constexpr int points = 1000;
+  for (int i = 0; i <= points; ++i) rate(start + duration * i / points);
+}
+
+double start_time(const Case&, const InitialState* initial) {
+  return initial ? initial->system.time * initial->units.time : 0;
+}
+
 }  // namespace
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
   if (is_deformable(c)) return derive_body_dynamics(c, initial);
-  Expression(c.shear.rate, {"t"}, "[shear] rate");
+  const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
   const double dt = is_package(c) ? derive_particleshear(c, initial).dt : derive_constants(c, initial).time_step;
   all.push_back({{"time_step", "s", "time step"}, dt});
-  all.push_back({{"steps", "", "steps"}, static_cast<double>(step_count(c, initial))});
+  const auto steps = static_cast<double>(step_count(c, initial));
+  all.push_back({{"steps", "", "steps"}, steps});
+  check_rate(rate, start_time(c, initial), steps * dt);
   return all;
 }
 
