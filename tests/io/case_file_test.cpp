@@ -103,6 +103,24 @@ TEST(CaseFile, OutOfRangeSaysTheRangeAndTheUnit) {
   EXPECT_THAT(error_of("[particles]\nN = 9000000000\n"), HasSubstr("out of range"));
 }
 
+/// Every parameter that counts with an int: one more than it holds is refused, not wrapped to something small.
+TEST(CaseFile, IntegersDoNotWrap) {
+  int tried = 0;
+  Case defaults;
+  for_each_section(defaults, [&](std::string_view section, auto& parameters) {
+    using P = std::decay_t<decltype(parameters)>;
+    for (const auto& field : fields<P>()) {
+      if (!std::holds_alternative<int P::*>(field.member)) continue;
+      ++tried;
+      const std::string name = (section.empty() ? "" : std::string(section) + ".") + std::string(field.name);
+      for (const char* value : {"4294967297", "2147483648", "-4294967295"})
+        EXPECT_THAT(error_of("", {name + "=" + value}), HasSubstr(name + " = " + value + " is out of range"));
+    }
+  });
+  EXPECT_GT(tried, 8);
+  EXPECT_THAT(error_of("[particles]\nmax_cut_tries = 4294967297\n"), HasSubstr("it must be from 1 to 2147483647"));
+}
+
 TEST(CaseFile, InvalidChoice) {
   EXPECT_EQ(error_of("[material]\nslip = \"clmp\"\n"),
             "c.toml:2:8: material.slip = \"clmp\" is not a choice (tangential spring in slip: held at the "
