@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -142,6 +144,13 @@ int main(int argc, char** argv) {
   } catch (const supple::Error& e) {
     std::fprintf(stderr, "supple: %s\n", e.what());
     return e.exit_code();
+  } catch (const std::bad_alloc&) {
+    std::fputs("supple: not enough memory for this (the case or file asks for more than there is); make it smaller\n",
+               stderr);
+    return static_cast<int>(supple::ErrorKind::input);
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::fprintf(stderr, "supple: %s\n", e.what());
+    return static_cast<int>(supple::ErrorKind::file);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "supple: %s (unexpected; please report it)\n", e.what());
     return static_cast<int>(supple::ErrorKind::numerics);

@@ -33,6 +33,9 @@ void on_interrupt(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+/// A terminal that closes may say so more than once: the run still ends as after one Ctrl-C.
+void on_hang_up(int) { interrupted = 1; }
+
 /// Writes the run and shows its progress on stderr.
 class CommandRecorder : public FileRecorder {
  public:
@@ -107,6 +110,7 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   CommandRecorder recorder(file, c, existing);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as under nohup
   try {
     supple::run(c, initial ? &*initial : nullptr, recorder);
     recorder.end_progress();

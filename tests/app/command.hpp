@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -29,8 +30,9 @@ class CommandTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("supple_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    std::string name = test->name();  // that of a parameter stands behind a slash
+    std::replace(name.begin(), name.end(), '/', '_');
+    folder_ = std::filesystem::temp_directory_path() / ("supple_" + name + "_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_ / "work");
   }
   void TearDown() override {

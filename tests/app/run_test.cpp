@@ -92,7 +92,12 @@ TEST_F(Run, TheFinalStateStartsAnotherRun) {
   EXPECT_EQ(supple("run small.toml -o json.h5 --set initial.state=state.json").code, 0);
 }
 
-TEST_F(Run, CtrlCKeepsWhatWasComputed) {
+/// Ctrl-C, a polite kill, and a terminal that closes (which the shell and the kernel both tell).
+class Stops : public Run, public testing::WithParamInterface<std::vector<int>> {};
+INSTANTIATE_TEST_SUITE_P(Run, Stops,
+                         testing::Values(std::vector{SIGINT}, std::vector{SIGTERM}, std::vector{SIGHUP, SIGHUP}));
+
+TEST_P(Stops, ASignalKeepsWhatWasComputed) {
   write_small_case();
   const pid_t child = fork();
   if (child == 0) {
@@ -103,7 +108,7 @@ TEST_F(Run, CtrlCKeepsWhatWasComputed) {
   }
   for (int i = 0; i < 1000 && read_text(path("log")).find("oscillatory") == std::string::npos; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  kill(child, SIGINT);
+  for (const int signal : GetParam()) kill(child, signal);
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));

@@ -5,12 +5,11 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
+#include "supple/io/path_kind.hpp"
 #include "supple/io/quantity.hpp"
 
 namespace supple {
@@ -180,6 +179,17 @@ class Reader {
     return false;
   }
 
+  /// The field with no more than the integers of its own type: others would wrap.
+  template <class Integer, class F>
+  static F within(F field) {
+    using Limits = std::numeric_limits<Integer>;
+    if constexpr (Limits::digits < 53) {
+      field.range.low = std::max(field.range.low, static_cast<double>(Limits::lowest()));
+      field.range.high = std::min(field.range.high, static_cast<double>(Limits::max()));
+    }
+    return field;
+  }
+
   template <class F>
   bool in_range(double value, const F& field, const std::string& name, const toml::node& node) {
     if (field.range.contains(value)) return true;
@@ -225,7 +235,7 @@ class Reader {
       const bool whole = real && *real == std::floor(*real) && std::abs(*real) < 1e15;
       return wrong_type(field, name, node, "an integer", whole ? fmt::format("write {:.0f}", *real) : "");
     }
-    if (!in_range(static_cast<double>(*value), field, name, node)) return false;
+    if (!in_range(static_cast<double>(*value), within<Integer>(field), name, node)) return false;
     target = static_cast<Integer>(*value);
     return true;
   }
@@ -324,15 +334,8 @@ Case read_case_text(const std::string& text, const std::string& name,
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-  std::ifstream file(path);
-  std::stringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || std::filesystem::is_directory(path))
-    throw file_error(
-        fmt::format("cannot read the case '{}'", path),
-        std::filesystem::is_directory(path) ? "it is a folder" : "it does not exist or is not readable",
-        "supple init writes a case to start from");
-  return read_case_text(text.str(), path, overrides);
+  constexpr std::size_t longest = 16 << 20;
+  return read_case_text(read_whole_file(path, "the case", longest), path, overrides);
 }
 
 }  // namespace supple

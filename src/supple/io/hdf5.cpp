@@ -1,11 +1,9 @@
 #include "supple/io/hdf5.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstring>
 
 #include "supple/io/hdf5_calls.hpp"
+#include "supple/io/path_kind.hpp"
 
 namespace supple::h5 {
 namespace {
@@ -127,7 +125,7 @@ Group create_file(const std::string& path) {
 }
 
 Group open_file(const std::string& path) {
-  if (access(path.c_str(), R_OK) != 0) throw file_error("cannot read " + path, std::strerror(errno));
+  check_can_read(path, "the run");
   const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
   if (is_hdf5 == 0) throw file_error(path + " is not an HDF5 file");
   const Object file(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "read", path));

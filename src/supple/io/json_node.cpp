@@ -1,16 +1,14 @@
 #include "supple/io/json_node.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include "supple/io/path_kind.hpp"
 
 namespace supple {
 
 Json parse_json(const std::string& path, const std::string& kind) {
-  std::ifstream in(path);
-  if (!in) throw file_error("cannot read " + path, std::strerror(errno));
+  constexpr std::size_t longest = std::size_t{4} << 30;
+  const std::string text = read_whole_file(path, kind, longest);
   try {
-    return Json::parse(in);
+    return Json::parse(text);
   } catch (const Json::exception& e) {
     throw file_error("cannot use " + path + " as " + kind, std::string("not JSON, or truncated: ") + e.what());
   }

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "supple/core/error.hpp"
+#include "supple/io/path_kind.hpp"
 
 namespace supple {
 namespace {
@@ -36,11 +37,11 @@ Error exists(const std::string& path) {
 
 void check_can_create(const std::string& path, Existing existing) {
   const std::string folder = folder_of(path);
-  if (!fs::is_directory(folder))
+  if (path_kind(folder) != PathKind::folder)
     throw file_error("cannot create " + path, "there is no folder " + folder, "make the folder first");
   if (access(folder.c_str(), W_OK | X_OK) != 0)
     throw file_error("cannot create " + path, "folder " + folder + " is not writable");
-  if (fs::is_directory(path)) throw file_error("cannot create " + path, "it is a folder");
+  if (path_kind(path) == PathKind::folder) throw file_error("cannot create " + path, "it is a folder");
   if (existing == Existing::refuse && fs::exists(fs::symlink_status(path))) throw exists(path);
 }
 

@@ -1,20 +1,18 @@
 #include "supple/io/run_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "supple/core/error.hpp"
+#include "supple/io/path_kind.hpp"
 #include "supple/io/system_archive.hpp"
 
 namespace supple {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// The complete segments in a folder, in order.
 std::vector<std::string> segments_in(const std::string& folder) {
   std::vector<std::string> paths;
-  while (fs::exists(folder + "/" + segment_name(static_cast<int>(paths.size()))))
+  while (PathKind::file == path_kind(folder + "/" + segment_name(static_cast<int>(paths.size()))))
     paths.push_back(folder + "/" + segment_name(static_cast<int>(paths.size())));
   if (paths.empty()) throw file_error(folder + " holds no run", "no segment is complete");
   return paths;
@@ -36,8 +34,10 @@ bool holds_values(const std::string& name) {
 
 RunFile::RunFile(const std::string& path) : path_(path) {
   std::vector<std::string> paths{path};
-  if (fs::is_directory(path)) partial_ = true;
-  else if (!fs::exists(path) && fs::is_directory(partial_folder(path))) partial_ = true, path_ = partial_folder(path);
+  const PathKind kind = path_kind(path);
+  if (kind == PathKind::folder) partial_ = true;
+  else if (kind == PathKind::nothing && path_kind(partial_folder(path)) == PathKind::folder)
+    partial_ = true, path_ = partial_folder(path);
   if (partial_) paths = segments_in(path_);
 
   for (const std::string& file : paths) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <tuple>
 
 #include "supple/core/error.hpp"
 #include "supple/io/hdf5.hpp"
 #include "supple/io/json_node.hpp"
+#include "supple/io/path_kind.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/model/convert.hpp"
 
@@ -215,8 +215,9 @@ MaterialConstants converted(MaterialConstants m, const Units& from, const Units&
 }  // namespace
 
 InitialState read_state(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  const bool hdf5_or_no_file = std::filesystem::is_directory(path) || !in || in.peek() == 0x89;
+  const PathKind kind = path_kind(path);
+  const bool hdf5_or_no_file = kind == PathKind::folder || kind == PathKind::nothing ||
+                               (kind == PathKind::file && std::ifstream(path, std::ios::binary).peek() == 0x89);
   return hdf5_or_no_file ? read_run(path) : read_json(path);
 }
 
