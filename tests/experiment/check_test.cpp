@@ -103,5 +103,33 @@ TEST(Check, ProtocolsThatCannotBeEvaluatedRaiseDoubts) {
   EXPECT_THAT(find_doubts(c), Contains(HasSubstr("below jamming")));
 }
 
+TEST(Check, VerticesThatGatherOrLetOthersThrough) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.bodies.family = "droplet";
+  resolve_family(c);
+  EXPECT_THAT(find_doubts(c), IsEmpty());
+  c.bodies.k_l = 0;
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("does not keep vertices apart")));
+  c.bodies.k_l = 0.1;
+  c.bodies.diameter_ratio = 0.8;
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("edges are 1.25 times as long as vertices are wide; from 2 on")));
+  c.bodies.diameter_ratio = 0.5;
+  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("so that vertices of other particles pass")));
+  c.contact.kind = "smooth";
+  EXPECT_THAT(find_doubts(c), IsEmpty());
+}
+
+TEST(Check, ShapeParametersOverThoseOfRegularPolygons) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.bodies.shape_ratio = 0.9;
+  EXPECT_THAT(error_of(c), HasSubstr("no polygon is rounder"));
+  c.bodies.shape_ratio = 1.1;
+  EXPECT_EQ(error_of(c), "no error");
+  c.given.insert("bodies.A0");
+  EXPECT_THAT(error_of(c), HasSubstr("leave one away"));
+}
+
 }  // namespace
 }  // namespace supple

@@ -30,6 +30,7 @@ Packing jammed(const Kind& kind, int seed) {
   c.bodies.shape_parameter = kind.shape_parameter;
   c.bodies.diameter_ratio = kind.diameter_ratio;
   c.contact.kind = kind.contact;
+  c.contact.unsound = "mark";  // fractions of particles whose vertices have passed each other are looked at too
   c.jamming.packing_fraction = 0.4;
   c.jamming.step = 0.01;
   c.jamming.pressure = 1e-3;

@@ -11,7 +11,6 @@ namespace {
 
 using std::numbers::pi;
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 void add_square(System<2>& system, double x, double y, double width, double height) {
   const std::vector<double> four(4, 1);
@@ -47,24 +46,15 @@ TEST(ShapeMeasures, CentreOfAnLShape) {
   EXPECT_NEAR(m.centre[0][1], (4 * 1 + 0.5) / 5, 1e-15);
 }
 
-TEST(ShapeMeasures, FindsBodiesInsideOthers) {
+/// Discs have no shape parameter: they would pull the mean down.
+TEST(ShapeMeasures, TheMeanShapeParameterIsThatOfThePolygons) {
   System<2> system;
-  system.box.length = {20, 20};
-  system.box.strain = 0.25;
-  add_square(system, 18, 19, 4, 4);           // across both periods: its lower part is 5 to the left
-  add_square(system, 16.5, 2.5, 0.25, 0.25);  // in that part
-  add_square(system, 12, 8, 1, 1);
-  add_disc_body(system, {12.5, 8.5}, 0.1);  // in the one before
-  add_square(system, 12.9, 8.95, 3, 0.5);   // overlaps it
-  add_square(system, 5, 15, 1, 1);
-  EXPECT_THAT(bodies_inside_others(system), ElementsAre(1, 2, 3, 4));
-  for (int k = 4; k < 8; ++k) system.state.position[k] += Vec2{40 - 5, -20};
-  EXPECT_THAT(bodies_inside_others(system), ElementsAre(1, 2, 3, 4)) << "another copy of the same";
-  for (int k = 4; k < 8; ++k) system.state.position[k][0] += 5;
-  EXPECT_THAT(bodies_inside_others(system), ElementsAre(2, 3, 4));
-  testing::PackingDraw apart;
-  apart.spacing = 3.2;
-  EXPECT_THAT(bodies_inside_others(testing::random_polygons(apart)), IsEmpty());
+  add_disc_body(system, {1, 2}, 3);
+  EXPECT_FALSE(mean_shape_parameter(measure_shapes(system)));
+  add_square(system, 8, -3, 1, 1);
+  add_square(system, 8, 3, 4, 2);
+  add_disc_body(system, {10, 20}, 3);
+  EXPECT_NEAR(*mean_shape_parameter(measure_shapes(system)), 0.5 * (16 / (4 * pi) + 144 / (32 * pi)), 1e-14);
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ class BodyContacts {
   virtual void add_hessian(const System<2>& system, HessianBlocks<2>& blocks);
   /// Sites that the last evaluation found inside another body.
   virtual const std::vector<std::int32_t>& sites_inside() const;
+  /// Vertices that the last evaluation found near a part of a body that is no simple arc; rough contacts have none.
+  virtual int feature_violations() const { return 0; }
 
  private:
   Harmonic law_;

@@ -33,7 +33,7 @@ class SmoothContacts final : public BodyContacts {
   const std::vector<std::int32_t>& sites_inside() const override { return inside_; }
   /// Vertices that the last evaluation found near a part of a body that is no simple arc. Also on the way
   /// into a concave corner, where both of its edges are already within sigma and the corner is not yet.
-  int feature_violations() const { return violations_; }
+  int feature_violations() const override { return violations_; }
 
  private:
   struct Sum;

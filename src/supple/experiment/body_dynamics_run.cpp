@@ -4,7 +4,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/experiment/suspension.hpp"
+#include "supple/experiment/sound_states.hpp"
 
 namespace supple {
 
@@ -28,9 +28,7 @@ std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* ini
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   System<2>& s = packing.system;
-  start_clock(s, c);
-  if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
-    draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
+  if (!initial && c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
   const double dt = body_time_step(c, packing, initial, conserving_step);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
@@ -39,18 +37,24 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   recorder.declare("motion", motion_columns(packing));
   const std::int64_t steps = c.time.steps, per_row = interval(steps, rows),
                      per_frame = interval(steps, c.output.frames);
-  for (std::int64_t i = 0; i < steps; ++i) {
-    if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
-    if (i % per_frame == 0) recorder.frame(packing_frame(packing, report_packing(packing)));
-    dynamics.advance(s, dt);
-    if (i % 256 == 0) recorder.progress("dynamics", i, steps);
-    if (!recorder.stop_requested()) continue;
+  LastGood good(packing);
+  try {
+    for (std::int64_t i = 0; i < steps; ++i) {
+      if (i % per_frame == 0 || i % look_interval(steps) == 0) good.look();
+      if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+      if (i % per_frame == 0) recorder.frame(packing_frame(packing, report_packing(packing)));
+      dynamics.advance(s, dt);
+      if (i % 256 == 0) recorder.progress("dynamics", i, steps);
+      if (recorder.stop_requested())
+        throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+    }
+    good.look();
+  } catch (const Error&) {
     hand_over(packing, recorder);
-    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+    throw;
   }
   recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
-  const bool closed = environment_of(packing).is_closed();
-  record_packing(packing, {}, recorder, closed ? Surroundings::closed : Surroundings::open);
+  record_packing(packing, {}, recorder);
 }
 
 }  // namespace supple

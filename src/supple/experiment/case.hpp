@@ -67,7 +67,6 @@ struct Preparation {
 struct Initial {
   std::string state;    ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
   std::string packing;  ///< path of a packing of polygons (JSON); empty: made from [bodies]
-  bool keep_time = false;  ///< t goes on from the state's own; else it starts at 0
 };
 
 /// Deformable particles, in units in which the preferred area of a small one is 1.
@@ -77,6 +76,7 @@ struct Bodies {
   std::string vertex_rule = "equal";
   double size_ratio = 1.4, large_fraction = 0.5;
   double shape_parameter = 0;  ///< 0: of the regular polygon
+  double shape_ratio = 0, shape_ratio_large = 0;  ///< over that of each particle's regular polygon; 0: not given
   double diameter_ratio = 1;
   std::string stiffness = "relative";
   double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
@@ -87,6 +87,7 @@ struct Bodies {
 struct Touch {
   std::string kind = "rough";
   double k_c = 1, k_p = 4, floor_friction = 0.1;
+  std::string unsound = "stop";  ///< what happens when particles get into each other
 };
 
 struct Minimisation {

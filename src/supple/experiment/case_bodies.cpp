@@ -1,14 +1,24 @@
 /// The sections of a case that describe deformable particles.
+#include <algorithm>
 #include <cmath>
 
 #include "supple/experiment/case.hpp"
+#include "supple/model/polygons.hpp"
 
 namespace supple {
+
+namespace {
+
+/// A0 = 1.04, or 1 % above the least where few vertices cannot have that: at the least itself a floppy particle has
+/// one zero mode more [MacKeith 2025, section 9.2], and no minimisation ends soon.
+double floppy_shape_parameter(int vertices) { return std::max(1.04, 1.01 * least_shape_parameter(vertices)); }
+
+}  // namespace
 
 template <>
 const Fields<Bodies>& fields() {
   using B = Bodies;
-  static const Fields<B> all{
+  static const Fields<B> f{
       {"family",
        &B::family,
        "",
@@ -25,41 +35,43 @@ const Fields<Bodies>& fields() {
        {"equal", "scaled"}},
       {"size_ratio", &B::size_ratio, "", "large over small diameter", {1, 100}},
       {"large_fraction", &B::large_fraction, "", "share of large particles", fraction},
-      {"A0", &B::shape_parameter, "", "preferred p^2/(4 pi a); 0: of the regular polygon, the least", not_negative},
+      {"A0", &B::shape_parameter, "",
+       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given", not_negative},
+      {"A0_ratio", &B::shape_ratio, "",
+       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0", not_negative},
+      {"A0_ratio_large", &B::shape_ratio_large, "", "A0_ratio of large particles; 0: as of small ones", not_negative},
       {"diameter_ratio", &B::diameter_ratio, "", "vertex diameter sigma over preferred edge length", positive},
       {"stiffness",
        &B::stiffness,
        "",
        "relative: (k/2)(l/l0 - 1)^2; absolute: (k/2)(l - l0)^2",
        any_value,
-       {"relative", "absolute"},
-       Role::number},
-      {"k_a", &B::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
-      {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
-      {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative, {}, Role::number},
-      {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
+       {"relative", "absolute"}},
+      {"k_a", &B::k_a, "", "stiffness of the area", not_negative},
+      {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative},
+      {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative},
+      {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
       {"yield_strain", &B::yield_strain, "",
-       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative, {},
-       Role::law},
-      {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative, {}, Role::law},
+       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative},
+      {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative},
   };
-  static const Fields<B> f = with_role(Role::sample, all);
   return f;
 }
 
 template <>
 const Fields<Touch>& fields() {
   using T = Touch;
-  static const Fields<T> all{
+  static const Fields<T> f{
       {"kind", &T::kind, "", "vertices as discs (9.3), or smooth boundaries (9.5, by inclusion-exclusion)", any_value,
        {"rough", "smooth"}},
-      {"k_c", &T::k_c, "", "stiffness of contacts, relative or absolute as [bodies] stiffness says", positive, {},
-       Role::number},
+      {"k_c", &T::k_c, "", "stiffness of contacts, relative or absolute as [bodies] stiffness says", positive},
       {"k_p", &T::k_p, "k_c", "stiffness of walls over k_c", positive},
       {"floor_friction", &T::floor_friction, "", "Coulomb coefficient of the floor", not_negative},
+      {"unsound", &T::unsound, "",
+       "when a particle has got into another one: stop with the last good state, or mark it and go on", any_value,
+       {"stop", "mark"}},
   };
-  static const Fields<T> f = with_role(Role::law, all);
   return f;
 }
 
@@ -90,9 +102,7 @@ const Fields<Jamming>& fields() {
        &J::packing_fraction,
        "",
        "where the search starts, at random positions",
-       {0, 0.8, true, false},
-       {},
-       Role::sample},
+       {0, 0.8, true, false}},
       {"step", &J::step, "", "largest relative step of the packing fraction", {0, 0.1, true, false}},
       {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
@@ -135,17 +145,12 @@ const Fields<Uniaxial>& fields() {
        &U::packing_fraction,
        "",
        "of the area between the walls at random positions",
-       {0, 0.95, true, false},
-       {},
-       Role::sample},
+       {0, 0.95, true, false}},
       {"pressure", &U::pressure, "k_a a0",
        "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid "
        "particles",
-       not_negative,
-       {},
-       Role::sample},
-      {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive, {},
-       Role::sample},
+       not_negative},
+      {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive},
   };
   return f;
 }
@@ -154,7 +159,7 @@ template <>
 const Fields<Slump>& fields() {
   using S = Slump;
   static const Fields<S> f{
-      {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive, {}, Role::law},
+      {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive},
       {"width", &S::width, "mean particle diameter", "of the box in which the heap settles", at_least_one},
       {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall",
        at_least_one},
@@ -171,7 +176,7 @@ const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
       {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
-       not_negative, {}, Role::law},
+       not_negative},
       {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start", not_negative},
   };
   return f;
@@ -202,7 +207,10 @@ void resolve_family(Case& c) {
   const auto unless_given = [&](const char* key, double& value, double of_family) {
     if (!c.is_given(std::string("bodies.") + key)) value = of_family;
   };
-  if (b.family == "floppy") unless_given("k_b", b.k_b, 0);
+  if (b.family == "floppy") {
+    unless_given("k_b", b.k_b, 0);
+    if (b.shape_parameter == 0 && b.shape_ratio == 0) unless_given("A0", b.shape_parameter, floppy_shape_parameter(b.vertices));
+  }
   if (b.family == "droplet") {
     unless_given("k_b", b.k_b, 0);
     unless_given("k_l", b.k_l, 0.1);

@@ -63,8 +63,7 @@ void check_shear(const Case& c, Problems& problems) {
   if (c.general.experiment == "dynamics" && c.output.text)
     add(problems, c, "output.text = true with experiment = \"dynamics\"",
         "the published text format holds an oscillatory run", "export the run to csv instead");
-  if (c.general.experiment == "dynamics" && !c.is_given("time.steps") && c.time.steps == 0 &&
-      c.initial.state.empty())
+  if (c.general.experiment == "dynamics" && c.time.steps == 0 && c.initial.state.empty())
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
 
@@ -77,6 +76,13 @@ void check_bodies(const Case& c, Problems& problems) {
     add(problems, c, fmt::format("bodies.A0 = {} with bodies.vertices = {}", b.shape_parameter, b.vertices),
         fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least),
         "raise A0, or 0 for the regular polygon");
+  if (c.is_given("bodies.A0") && b.shape_ratio > 0)
+    add(problems, c, "bodies.A0 and bodies.A0_ratio", "the second is the first over that of the regular polygon",
+        "leave one away");
+  for (const auto& [key, ratio] : {std::pair{"A0_ratio", b.shape_ratio}, {"A0_ratio_large", b.shape_ratio_large}})
+    if (polygons && ratio > 0 && ratio < 1)
+      add(problems, c, fmt::format("bodies.{} = {}", key, ratio), "no polygon is rounder than the regular one",
+          "give 1 or more, or 0 for the default");
   if (!c.initial.state.empty() && !c.initial.packing.empty())
     add(problems, c, "initial.state and initial.packing", "a run starts from one of them", "leave one away");
   if (c.is_given("physics") && c.general.physics != "deformable")
@@ -85,11 +91,6 @@ void check_bodies(const Case& c, Problems& problems) {
   if (c.output.text)
     add(problems, c, "output.text = true with deformable particles",
         "the published text format holds discs of microgels", "export the run to csv instead");
-  if (c.general.experiment == "oscillatory_shear")
-    add(problems, c,
-        c.initial.packing.empty() ? "physics = \"deformable\" with experiment = \"oscillatory_shear\""
-                                  : "initial.packing with experiment = \"oscillatory_shear\"",
-        "it is about discs of microgels", "leave it away, or choose another experiment");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
     add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
         "a rough disc is a ring of vertices", "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
@@ -98,6 +99,17 @@ void check_bodies(const Case& c, Problems& problems) {
         fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}",
                     c.compression.highest_pressure, c.jamming.pressure),
         "compression goes from the one to the other", "raise the first or lower the second");
+}
+
+/// Keys of particles that are not made, because the run starts from those of a file.
+void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
+  if (c.initial.state.empty() && c.initial.packing.empty()) return;
+  for (const std::string key :
+       {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction", "bodies.A0",
+        "bodies.A0_ratio", "bodies.A0_ratio_large",
+        "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction",
+        "uniaxial.packing_fraction", "uniaxial.pressure", "uniaxial.aspect_ratio"})
+    if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 
 /// Keys of sections that the experiment does not read.
@@ -120,11 +132,12 @@ std::vector<std::string> find_body_doubts(const Case& c) {
       doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
   };
   const bool soft = b.family != "disc" && b.family != "rough_disc";
-  for (const auto key : {"bodies.A0", "bodies.k_a", "bodies.k_l", "bodies.k_b", "bodies.gamma"})
+  for (const auto key : {"bodies.A0", "bodies.A0_ratio", "bodies.A0_ratio_large", "bodies.k_a", "bodies.k_l", "bodies.k_b", "bodies.gamma"})
     idle(key, soft, "a family of deformable particles");
   for (const auto key : {"bodies.vertices", "bodies.vertex_rule", "bodies.diameter_ratio", "bodies.discs"})
     idle(key, b.family != "disc", "a family of polygons");
   idle("bodies.yield_strain", b.flow_time > 0, "bodies.flow_time");
+  idle("bodies.A0_ratio_large", b.shape_ratio > 0, "bodies.A0_ratio, that of the small ones");
   const std::string& name = c.general.experiment;
   const bool moves = name == "dynamics" || name == "slump";
   for (const auto key :
@@ -133,16 +146,23 @@ std::vector<std::string> find_body_doubts(const Case& c) {
   idle("bodies.flow_time", moves, "an experiment in time: dynamics or slump");
   if (soft && b.family == "floppy" && b.k_b > 0)
     doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
-  if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 0.5)
-    doubts.push_back(fmt::format("bodies.diameter_ratio = {}: vertices of other particles fit between two vertices",
-                                 b.diameter_ratio));
-  const bool given_cell = name == "dynamics" && !(c.initial.state.empty() && c.initial.packing.empty());
-  idle("contact.k_p", name == "slump" || name == "uniaxial_compression" || given_cell,
-       "walls: slump, uniaxial_compression, or dynamics from a file");
-  idle("contact.floor_friction", name == "slump" || given_cell, "experiment = \"slump\", or dynamics from a file");
-  idle("motion.kinetic_energy", name == "dynamics", "dynamics");
+  if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 1)
+    doubts.push_back(fmt::format(
+        "bodies.diameter_ratio = {}: edges are {:.3g} times as long as vertices are wide{}", b.diameter_ratio,
+        1 / b.diameter_ratio,
+        b.diameter_ratio > 0.5 ? "; from 2 on, stretched edges among them, vertices of others pass between two vertices"
+                               : ", so that vertices of other particles pass between two vertices"));
+  if (soft && b.gamma > 0 && b.k_l < 0.1 * b.gamma)
+    doubts.push_back(fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
+                                 "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
+                                 b.gamma, b.k_l));
+  idle("contact.k_p", name == "slump" || name == "uniaxial_compression", "walls: slump or uniaxial_compression");
+  idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
+  idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(),
+       "dynamics that starts from [bodies] or a packing");
   if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
   for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
+  find_keys_of_others(c, doubts);
   find_idle_sections(c, doubts);
   return doubts;
 }

@@ -123,7 +123,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   const auto total = static_cast<std::int64_t>(list.size() * (c.compression.decompress ? 2 : 1));
   std::int64_t done = 0;
   const auto watch = [&](const JamProgress& p) {
-    recorder.progress(fmt::format("P = {:.1e}, phi = {:.4f}", spec.pressure, p.state.packing_fraction), done, total);
+    recorder.progress(fmt::format("P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), done, total);
     return !recorder.stop_requested();
   };
   const auto go_to = [&](double pressure, Branch branch) {

@@ -1,7 +1,7 @@
 #include "supple/experiment/experiments.hpp"
 
 #include "supple/core/error.hpp"
-#include "supple/experiment/adopt_state.hpp"
+#include "supple/experiment/given_packing.hpp"
 
 namespace supple {
 
@@ -33,15 +33,13 @@ const Experiment& named(const std::string& name) {
 }  // namespace
 
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
-  const Case adopted = adopt_state(c, initial);
-  check(adopted);
-  return named(adopted.general.experiment).derive(adopted, initial);
+  check(c);
+  return named(c.general.experiment).derive(adopt_state(c, initial), initial);
 }
 
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
-  const Case adopted = adopt_state(c, initial);
-  check(adopted);
-  named(adopted.general.experiment).run(adopted, initial, recorder);
+  check(c);
+  named(c.general.experiment).run(adopt_state(c, initial), initial, recorder);
 }
 
 }  // namespace supple

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
 
 namespace supple {
@@ -24,6 +25,10 @@ void require_room(const Packing& packing) {
                       "raise bodies.N");
 }
 
+double reached_fraction(const Packing& packing, const JamProgress& progress) {
+  return progress.settled ? covered_fraction(packing) : progress.state.packing_fraction;
+}
+
 bool in_window(const JamSpec& spec, double pressure) {
   return pressure > spec.pressure && pressure < spec.pressure * (1 + spec.window);
 }
@@ -34,6 +39,7 @@ namespace {
 struct Point {
   System<2> system;
   double density = 0, pressure = 0;
+  Soundness soundness;
 };
 
 class Search {
@@ -43,7 +49,9 @@ class Search {
 
   JamProgress run(const JamProgress& before = {}) {
     progress_ = before;
-    Point low = minimised(packing_.system, 0);
+    const Point start{packing_.system, 0, 0, {}};
+    Point low = minimised(start.system, 0);
+    keep_sound(low, start);
     if (low.pressure >= spec_.pressure) return descend(low, spec_.step);
     return spec_.search == JamSearch::chapter ? halve_steps(low) : stride(low);
   }
@@ -55,6 +63,11 @@ class Search {
   JamProgress halve_steps(Point low) {
     for (double step = spec_.step; step > smallest;) {
       const Point next = minimised(low.system, low.density + step, low.density);
+      if (unsound(next)) {
+        if (step < 0.2 * spec_.step) keep_sound(next, low);
+        step *= 0.5;  // a smaller one may lead past
+        continue;
+      }
       if (jammed(next)) return accept(next);
       if (next.pressure < spec_.pressure) low = next;
       else step *= 0.5, high_ = next;  // `low` is the state before
@@ -66,6 +79,11 @@ class Search {
   JamProgress stride(Point low) {
     for (double step = spec_.step;;) {
       const Point next = minimised(low.system, low.density + step, low.density);
+      if (unsound(next)) {
+        if (step < 0.2 * spec_.step) keep_sound(next, low);
+        step *= 0.5;
+        continue;
+      }
       if (jammed(next)) return accept(next);
       if (next.pressure < spec_.pressure) {
         low = next;
@@ -94,9 +112,20 @@ class Search {
     // A state is not taken before it is in equilibrium; a second run starts where the first gave up.
     if (!progress_.last.converged && in_window(spec_, progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
-    if (callback_ && !callback_(progress_))
+    Point point{packing_.system, density, below ? 0 : progress_.state.pressure, look_at(packing_)};
+    if (!unsound(point) && callback_ && !callback_(progress_))
       throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
-    return {packing_.system, density, below ? 0 : progress_.state.pressure};
+    return point;
+  }
+
+  bool unsound(const Point& p) const { return must_stop(packing_, p.soundness); }
+
+  /// Ends the search with the packing at `before` where the point is one that no run may accept.
+  void keep_sound(const Point& point, const Point& before) {
+    if (!unsound(point)) return;
+    packing_.system = before.system;
+    packing_.field->invalidate();
+    throw unsound_error(point.soundness);
   }
 
   bool minimise_exactly() {
@@ -150,6 +179,7 @@ class Search {
     if (jammed(high)) return accept(high);
     for (double step = first_step;; step *= 1.5) {
       const Point next = minimised(high.system, high.density - step, high.density);
+      keep_sound(next, high);
       if (jammed(next)) return accept(next);
       if (next.pressure < spec_.pressure) return find_root(next, high, From::above);
       high = next;
@@ -170,6 +200,7 @@ class Search {
       share = std::clamp(share, 0.02, 0.98);
       const Point& start = from == From::below ? low : high;
       const Point next = minimised(start.system, low.density + share * width, start.density);
+      keep_sound(next, start);
       if (jammed(next)) return accept(next);
       if (next.pressure < spec_.pressure) {
         low = next;

@@ -32,6 +32,8 @@ struct JamProgress {
   long minimisations = 0, evaluations = 0, unconverged = 0;
   bool settled = true;  ///< the state is a minimum of the energy itself, to the tolerance that was asked for
 };
+/// The packing fraction where the search is: the exact one of a state that has settled, as it will be reported.
+double reached_fraction(const Packing& packing, const JamProgress& progress);
 using JamCallback = std::function<bool(const JamProgress&)>;
 
 /// The minima of the enthalpy of JamSearch::pressure. False if they do not lead to a packing in the window, with the

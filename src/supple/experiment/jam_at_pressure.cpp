@@ -3,8 +3,8 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/jam.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
-#include "supple/observe/shape_measures.hpp"
 #include "supple/solve/cell_objective.hpp"
 
 namespace supple {
@@ -48,7 +48,7 @@ class Press {
     };
     try {
       soften();
-      if (bodies_inside_others(packing_.system).empty() && harden()) return true;
+      if (!must_stop(packing_, look_at(packing_)) && harden()) return true;
     } catch (const Error&) {
       if (!progress_.settled) go_back();  // or the state handed over would be one of softened contacts
       throw;
@@ -83,9 +83,9 @@ class Press {
       press(1, k < 3 ? coarse_tolerance() : packing_.tolerance);
       const MinimiseReport report = relax(packing_);
       progress_.unconverged += !report.converged;
+      if (must_stop(packing_, look_at(packing_))) return false;
       count(report, report.converged);
-      if (report.converged && in_window(spec_, progress_.state.pressure))
-        return bodies_inside_others(packing_.system).empty();
+      if (report.converged && in_window(spec_, progress_.state.pressure)) return true;
       losses += progress_.state.pressure < 0.1 * spec_.pressure;
     }
     return false;
@@ -118,10 +118,17 @@ class Press {
   /// Shrinks the cell for as long as particles get out of each other's way at once.
   void approach() {
     const long most = packing_.minimise.max_evaluations;
+    System<2> good = packing_.system;
     for (double step = spec_.step;; step = std::min(1.3 * step, std::max(spec_.step, longest_stride))) {
       packing_.minimise.max_evaluations = std::min(most, 500L);
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
+      if (must_stop(packing_, look_at(packing_))) {  // the root search, with its smaller steps, shall look for a way
+        packing_.system = good;
+        packing_.field->invalidate();
+        return;
+      }
+      good = packing_.system;
       count(report, report.converged);
       if (progress_.state.pressure > (report.converged ? 0.1 : stages[0].pressure) * spec_.pressure) return;
       const double factor = std::exp(-0.5 * step);

@@ -7,6 +7,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/experiment/sound_states.hpp"
 
 namespace supple {
 
@@ -31,15 +32,22 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
                                {"contact_pressure", packing.pressure_symbol, "pressure by contacts alone"},
                                {"energy", "", "potential energy"},
                                {"residual", "", "largest net force on a vertex"},
-                               {"evaluations", "", "force evaluations so far"}});
+                               {"evaluations", "", "force evaluations so far"},
+                               {"unsound", "", unsound_meaning}});
   const double start = std::log(c.jamming.packing_fraction);
   const auto watch = [&](const JamProgress& p) {
-    const double row[] = {covered_fraction(packing), p.state.full_pressure,  p.state.contact_pressure,
-                          p.state.energy,           p.last.residual, static_cast<double>(p.evaluations)};
+    const double phi = reached_fraction(packing, p);
+    const double row[] = {phi,
+                          p.state.full_pressure,
+                          p.state.contact_pressure,
+                          p.state.energy,
+                          p.last.residual,
+                          static_cast<double>(p.evaluations),
+                          static_cast<double>(look_at(packing).bodies())};
     if (p.settled) recorder.append("packing", row);
     // The way from the start to about 0.84 in packing fraction, which nobody knows exactly before.
-    const double way = (std::log(p.state.packing_fraction) - start) / (std::log(0.9) - start);
-    recorder.progress(fmt::format("jam, phi = {:.4f}, P = {:.2e}", p.state.packing_fraction, p.state.pressure),
+    const double way = (std::log(phi) - start) / (std::log(0.9) - start);
+    recorder.progress(fmt::format("jam, phi = {:.4f}, P = {:.2e}", phi, p.state.pressure),
                       static_cast<std::int64_t>(1000 * std::clamp(way, 0.0, 1.0)), 1000);
     return !recorder.stop_requested();
   };

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
 #include "supple/experiment/given_packing.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
@@ -24,13 +26,20 @@ using std::numbers::pi;
 
 bool has_polygons(const Bodies& b) { return b.family != "disc"; }
 
-ShapeSpec shape_spec(const Bodies& b) {
+/// p^2/(4 pi a) that a particle of n vertices prefers; 0: of the regular polygon.
+double preferred_shape_parameter(const Bodies& b, int n, bool large) {
+  if (b.family == "rough_disc") return 0;
+  const double ratio = large && b.shape_ratio_large > 0 ? b.shape_ratio_large : b.shape_ratio;
+  return ratio > 0 ? ratio * least_shape_parameter(n) : b.shape_parameter;
+}
+
+ShapeSpec shape_spec(const Bodies& b, int n, bool large) {
   return {b.k_a,
           b.k_l,
           b.k_b,
           b.gamma,
           b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
-          b.family == "rough_disc" ? 0 : b.shape_parameter};
+          preferred_shape_parameter(b, n, large)};
 }
 
 Harmonic contact_law(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
@@ -58,9 +67,10 @@ void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system
                     : b.vertices;
   RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle,
                     static_cast<std::uint64_t>(body));
-  add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape_spec(b));
+  const ShapeSpec shape = shape_spec(b, n, sizes.is_large(body));
+  add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape);
   if (b.family == "rough_disc") return make_rigid(system, body);
-  if (b.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
+  if (shape.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
   // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
   // lets it buckle.
   for (int i = system.topology.begin[body]; i < system.topology.begin[body + 1]; ++i)
@@ -123,10 +133,9 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
   System<2> system;
   system.box = box;
   for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
-  if (const auto inside = bodies_inside_others(system); !inside.empty())
+  if (const Soundness s = look_at(system, outline); s.inside + s.crossing > 0 && c.contact.unsound == "stop")
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
-                      fmt::format("there is no room: {} of {} would begin with vertices inside another one",
-                                  inside.size(), bodies),
+                      fmt::format("there is no room, of {} particles: {}", bodies, s.what()),
                       "start at a lower one, and compress");
   return system;
 }
@@ -167,15 +176,18 @@ void check_initial(const InitialState* initial) {
     throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
 }
 
-bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
+/// Of all polygons and discs.
+double area_of_shapes(const System<2>& system) {
+  const std::vector<double> areas = measure_shapes(system).area;
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
 
-/// What acts on particles of a state from outside: walls where its cell is not periodic, and gravity.
-void surround(const Case& c, const Environment& environment, Packing& p) {
-  p.field->external().gravity = environment.gravity;
-  if (is_periodic(p.system)) return;
-  WallLaw walls = wall_law(c);
-  walls.stands = environment.stands;
-  p.field->set_walls(walls);
+std::string what_to_do_about_start(const Soundness& s) {
+  if (!s.has_areas()) return "order the sites of a particle counter-clockwise round its area, unwrapped";
+  const bool only_open = s.inside + s.crossing == 0;
+  return fmt::format("{}, or go on with contact.unsound = \"mark\"",
+                     only_open ? "give wider vertices (bodies.diameter_ratio) or contact.kind = \"smooth\""
+                               : "move them apart");
 }
 
 /// What the case says of these particles.
@@ -184,6 +196,9 @@ Packing packing_of(const Case& c, System<2> system) {
   p.system = std::move(system);
   p.field = make_body_field(c);
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
+  if (const Soundness s = look_at(p); must_stop(p, s))
+    throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
   const Harmonic law = contact_law(c);
   const auto& stiffness = p.system.shape.stiffness;
   double smallest = 0;
@@ -198,6 +213,7 @@ Packing packing_of(const Case& c, System<2> system) {
         law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
     p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
   }
+  p.shape_area = area_of_shapes(p.system);
   p.covered_area = packing_fraction(p.system, p.outline).total * p.system.box.volume();
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;
@@ -220,9 +236,7 @@ System<2> given_system(const Case& c, const InitialState& initial) {
 
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
   check_initial(initial);
-  Packing p = packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
-  if (initial) surround(c, initial->environment, p);
-  return p;
+  return packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
 }
 
 Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
@@ -232,10 +246,6 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
     throw input_error("the state to start from is periodic",
                       fmt::format("{} needs a box of walls", c.general.experiment),
                       "start from a run between walls, or from [bodies]");
-  if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec2{}))
-    throw input_error("the state to start from lies under gravity, or without some of the walls",
-                      fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
-                      "start from a run of it, or from [bodies]");
   const Enclosure walled{aspect_ratio, {false, false}};
   Packing p =
       packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
@@ -246,7 +256,7 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 }
 
 Packing make_periodic_packing(const Case& c, const InitialState* initial) {
-  if (initial && !is_periodic(initial->system))
+  if (initial && !(initial->system.box.periodic[0] && initial->system.box.periodic[1]))
     throw input_error("the state to start from lies between walls",
                       fmt::format("{} shrinks a periodic cell", c.general.experiment),
                       "start from a periodic packing");
@@ -288,7 +298,8 @@ PackingState observe(Packing& packing) {
   packing.field->bodies()->evaluate(packing.system, Detail::energies, contacts);
   const double scale = 1 / (packing.system.box.volume() * packing.pressure_unit);
   PackingState s;
-  s.packing_fraction = packing.covered_area / packing.system.box.volume();
+  s.packing_fraction =
+      packing.covered_area * (area_of_shapes(packing.system) / packing.shape_area) / packing.system.box.volume();
   s.stress = scale * all.virial;
   s.full_pressure = 0.5 * (s.stress[0][0] + s.stress[1][1]);
   s.contact_pressure = 0.5 * scale * (contacts.virial[0][0] + contacts.virial[1][1]);

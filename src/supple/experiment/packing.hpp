@@ -12,6 +12,9 @@
 
 namespace supple {
 
+/// What happens when particles get into each other (contact.unsound).
+enum class OnUnsound { stop, mark };
+
 /// Everything that an experiment on bodies needs. Pressures are in units of `pressure_unit` where users see
 /// them.
 struct Packing {
@@ -24,6 +27,8 @@ struct Packing {
   MinimiseSpec minimise;
   bool contact_pressure = false;  ///< P is that of contacts alone
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
+  double shape_area = 0;          ///< of their polygons and discs then
+  OnUnsound on_unsound = OnUnsound::stop;
 };
 
 /// The particles of the case at random positions that do not overlap in a square periodic cell of this
@@ -47,8 +52,8 @@ std::shared_ptr<ForceField> make_body_field(const Case& c);
 /// The walls that the case describes.
 WallLaw wall_law(const Case& c);
 
-/// What a packing is at rest, as far as a search needs it; packing_fraction is that of the area that the
-/// bodies covered at first (the exact one takes as long as a thousand force evaluations).
+/// What a packing is at rest, as far as a search needs it; packing_fraction is near: what the bodies covered at first,
+/// times the change of their polygons' area (covered_fraction is right, and takes longer).
 struct PackingState {
   double packing_fraction = 0, pressure = 0, contact_pressure = 0,
          full_pressure = 0;  ///< pressures in pressure_unit

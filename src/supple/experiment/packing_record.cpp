@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "supple/experiment/frame.hpp"
+#include "supple/experiment/sound_states.hpp"
+#include "supple/observe/rattlers.hpp"
 #include "supple/solve/body_dynamics.hpp"
 
 namespace supple {
@@ -24,17 +26,9 @@ std::vector<double> as_numbers(const std::vector<T>& values) {
   return {values.begin(), values.end()};
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (double v : values) sum += v;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
-}
-
 void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorder) {
-  if (r.inside > 0)
-    recorder.warning(fmt::format(
-        "{} particles have vertices inside another one: vertices have passed an edge; lower the step",
-        r.inside));
+  if (!r.soundness.sound())
+    recorder.warning(fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
   if (progress.unconverged > 0)
     recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance{}", progress.unconverged,
                                  progress.minimisations,
@@ -80,13 +74,13 @@ PackingReport report_packing(Packing& packing) {
   r.records = contacts.records(s);
   r.contacts = site_contacts(s, r.records, contacts.law());
   r.network = contact_network(s, r.contacts, r.evaluation.wall);
-  r.rattlers = find_rattlers(r.network);
+  r.rattlers = find_rattlers(s, r.contacts, {r.evaluation.wall, packing.field->external().gravity});
   r.numbers = count_contacts(r.network, r.rattlers);
   r.constraints = count_constraints(s, r.contacts, r.rattlers, r.evaluation.wall);
   r.stresses = body_stresses(s, *packing.field, r.evaluation);
   r.shapes = measure_shapes(s);
   r.fraction = packing_fraction(s, packing.outline);
-  r.inside = static_cast<int>(bodies_inside_others(s).size());
+  r.soundness = look_at(packing);
   return r;
 }
 
@@ -100,10 +94,11 @@ std::vector<Column> packing_columns(const Packing& packing) {
           {"stress_xy", unit, "full stress, compression positive"},
           {"energy", "", "potential energy"},
           {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-          {"rattlers", "", "particles that their contacts cannot hold, removed until none is left"},
+          {"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
           {"residual", "", "largest net force on a vertex, or on a rigid particle"},
           {"tolerance", "", "residual at which its minimisation was done"},
-          {"evaluations", "", "force evaluations so far"}};
+          {"evaluations", "", "force evaluations so far"},
+          {"unsound", "", unsound_meaning}};
 }
 
 std::vector<double> packing_row(const Packing& packing, const PackingReport& r, const JamProgress& work) {
@@ -120,7 +115,8 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& r, 
           static_cast<double>(std::count(r.rattlers.begin(), r.rattlers.end(), 1)),
           largest_net_force(packing.system, r.evaluation.force),
           work.last.tolerance,
-          static_cast<double>(work.evaluations)};
+          static_cast<double>(work.evaluations),
+          static_cast<double>(r.soundness.bodies())};
 }
 
 Frame packing_frame(const Packing& packing, const PackingReport& r) {
@@ -130,27 +126,8 @@ Frame packing_frame(const Packing& packing, const PackingReport& r) {
   frame.body["shape_parameter"] = r.shapes.shape_parameter;
   frame.body["contacts"] = as_numbers(r.network.contacts_of_bodies());
   frame.body["rattler"] = as_numbers(r.rattlers);
+  frame.body["unsound"] = as_numbers(r.soundness.unsound);
   return frame;
-}
-
-namespace {
-
-/// Walls and gravity as they are now, for a continuation.
-void record_environment(const Packing& packing, Recorder& recorder) {
-  const Environment environment = environment_of(packing);
-  for_each_wall(environment, [&](const std::string& name, bool stands) {
-    recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"}, stands);
-  });
-  recorder.value(environment_group, {"gravity", "", "acceleration downward"}, -environment.gravity[gradient]);
-}
-
-}  // namespace
-
-Environment environment_of(const Packing& packing) {
-  Environment e;
-  if (const auto& walls = packing.field->walls()) e.stands = walls->stands;
-  e.gravity = packing.field->external().gravity;
-  return e;
 }
 
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
@@ -176,21 +153,27 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   if (!open)
     number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs",
            r.constraints.excess());
-  number("mean_shape_parameter", "mean p^2/(4 pi a) of the particles", mean(r.shapes.shape_parameter));
+  if (const auto shape = mean_shape_parameter(r.shapes))
+    number("mean_shape_parameter", "mean p^2/(4 pi a) of the polygons", *shape);
+  if (packing.outline == Outline::smooth)
+    number("feature_violations", "vertices near a part of a boundary that is no simple arc, where corners and edges do "
+           "not add up to one contact",
+           packing.field->bodies()->feature_violations());
+  else if (r.soundness.longest_edge > 0)
+    number("longest_edge", "longest edge over the distance at which the vertices at its ends touch; from 2 on others pass",
+           r.soundness.longest_edge);
   if (!moves) {
     number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
     number("unconverged", "minimisations that stopped before the tolerance",
            static_cast<double>(progress.unconverged));
   }
   warn(r, progress, recorder);
-  record_environment(packing, recorder);
   recorder.final_state(packing.system, r.evaluation);
 }
 
 void hand_over(Packing& packing, Recorder& recorder) {
   Evaluation<2> evaluation;
   packing.field->evaluate(packing.system, Detail::energies, evaluation);
-  record_environment(packing, recorder);
   recorder.final_state(packing.system, evaluation);
 }
 

@@ -6,6 +6,7 @@
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/contact_network.hpp"
 #include "supple/observe/shape_measures.hpp"
+#include "supple/observe/soundness.hpp"
 
 namespace supple {
 
@@ -29,9 +30,13 @@ struct PackingReport {
   BodyStresses stresses;
   ShapeMeasures shapes;
   PackingFraction fraction;
-  int inside = 0;  ///< bodies with a site inside another one
+  Soundness soundness;
 };
 PackingReport report_packing(Packing& packing);
+
+/// What the column "unsound" of a table says.
+inline constexpr const char* unsound_meaning =
+    "particles that have got into another one, cross themselves, or have holes between their vertices";
 
 /// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts,
 /// rattlers, energy, residual, work.
@@ -50,9 +55,6 @@ enum class Surroundings { closed, open };
 /// work is recorded, and stresses have their kinetic part.
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings = Surroundings::closed);
-
-/// Walls and gravity of a packing as they are.
-Environment environment_of(const Packing& packing);
 
 /// The state as it is, for a run that ends early.
 void hand_over(Packing& packing, Recorder& recorder);

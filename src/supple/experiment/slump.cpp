@@ -9,6 +9,7 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/heap.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
 
 namespace supple {
@@ -80,7 +81,8 @@ class MovingHeap {
         packing_(std::move(packing)),
         recorder_(recorder),
         dt_(body_time_step(c, packing_, nullptr, damped_step)),
-        dynamics_(*packing_.field, c.motion.damping) {
+        dynamics_(*packing_.field, c.motion.damping),
+        good_(packing_) {
     dynamics_.set_plasticity(plastic_law(c));
     const std::int64_t total = steps_of(c, c.slump.settle_time, dt_) + steps_of(c, c.slump.spread_time, dt_);
     per_row_ = std::max<std::int64_t>(1, total / 1000);
@@ -94,10 +96,12 @@ class MovingHeap {
     const std::int64_t steps = steps_of(case_, time, dt_),
                        least = steps_of(case_, std::min(time, time_to_start), dt_);
     for (std::int64_t i = 0; i < steps; ++i) {
+      if (i % look_interval(steps) == 0) good_.look();
       if (i % per_frame_ == 0) take_frame();
       dynamics_.advance(packing_.system, dt_);
       if (i % 256 == 0) recorder_.progress(phase, i, steps);
-      if (recorder_.stop_requested()) interrupt();
+      if (recorder_.stop_requested())
+        throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", packing_.system.step));
       if ((i + 1) % per_row_ != 0) continue;
       append();
       if (i >= least && heap_.motion < case_.slump.rest) break;
@@ -123,7 +127,11 @@ class MovingHeap {
           heap_.motion));
   }
 
+  /// The state as it is, for a run that ends early.
+  void leave() { hand_over(packing_, recorder_); }
+
   void finish() {
+    good_.look();
     widen_box();
     record_packing(packing_, {}, recorder_, Surroundings::open);
   }
@@ -133,6 +141,7 @@ class MovingHeap {
   static constexpr double time_to_start = 10;
 
   void take_frame() {
+    good_.look();
     widen_box();
     recorder_.frame(packing_frame(packing_, report_packing(packing_)));
   }
@@ -146,16 +155,13 @@ class MovingHeap {
         measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
     recorder_.append("motion", heap_row(heap_));
   }
-  [[noreturn]] void interrupt() {
-    hand_over(packing_, recorder_);
-    throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", packing_.system.step));
-  }
 
   const Case& case_;
   Packing packing_;
   Recorder& recorder_;
   double dt_;
   BodyDynamics dynamics_;
+  LastGood good_;
   std::int64_t per_row_ = 1, per_frame_ = 1;
   Heap heap_;
 };
@@ -181,12 +187,17 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = hanging_packing(c, initial);
   begin_packing(packing, derive_slump(c, initial), recorder);
   MovingHeap heap(c, std::move(packing), recorder);
-  heap.move("settle", c.slump.settle_time);
-  heap.record("settled_", " before the wall is taken away");
-  heap.take_right_wall_away();
-  heap.move("spread", c.slump.spread_time);
-  heap.record("", "");
-  heap.finish();
+  try {
+    heap.move("settle", c.slump.settle_time);
+    heap.record("settled_", " before the wall is taken away");
+    heap.take_right_wall_away();
+    heap.move("spread", c.slump.spread_time);
+    heap.record("", "");
+    heap.finish();
+  } catch (const Error&) {
+    heap.leave();
+    throw;
+  }
 }
 
 }  // namespace supple

@@ -7,6 +7,7 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/observe/wall_forces.hpp"
 
@@ -50,7 +51,7 @@ std::vector<Column> uniaxial_columns(const Packing& packing) {
       {"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"});
   columns.push_back(
       {"overlap_area", "", "share of the particles' area that lies in another one"});
-  columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a)"});
+  columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a) of the polygons; 1 without any"});
   return columns;
 }
 
@@ -59,15 +60,13 @@ std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r,
   std::vector<double> row = packing_row(packing, r, work);
   row.insert(row.begin(), strain);
   const WallForces walls = sum_wall_forces(r.evaluation.wall);
-  double shape = 0;
-  for (const double a : r.shapes.shape_parameter)
-    shape += a / static_cast<double>(r.shapes.shape_parameter.size());
   const double pairs = static_cast<double>(r.network.pairs.size()),
                sites = static_cast<double>(r.contacts.size());
   const double covered = r.fraction.total * packing.system.box.volume();
   for (const double x : {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
                          mean_overlap(packing.system, r.records, packing.field->bodies()->law()),
-                         1 - covered / lone_area(packing), shape})
+                         std::max(0.0, 1 - covered / lone_area(packing)),
+                         mean_shape_parameter(r.shapes).value_or(1)})
     row.push_back(x);
   return row;
 }
@@ -85,7 +84,7 @@ JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
   spec.step = 5e-3;
   return jam(packing, spec, [&](const JamProgress& p) {
     recorder.progress(
-        fmt::format("squeeze to P = {:.1e}, phi = {:.4f}", spec.pressure, p.state.packing_fraction), 0, 0);
+        fmt::format("squeeze to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0, 0);
     return !recorder.stop_requested();
   });
 }
@@ -102,11 +101,13 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
   const double height = packing.system.box.length[gradient];
   const auto steps = std::max<std::int64_t>(1, std::llround(c.uniaxial.strain / c.uniaxial.step));
   const std::int64_t every = std::max<std::int64_t>(1, steps / c.output.frames);
+  LastGood good(packing);
   for (std::int64_t k = 0; k <= steps; ++k) {
     const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
     lower_wall(packing.system, height * (1 - strain));
     count(work, relax(packing));
     packing.system.time = strain;
+    good.look();
     const PackingReport report = report_packing(packing);
     recorder.append("packing", uniaxial_row(packing, report, work, strain));
     if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, report));

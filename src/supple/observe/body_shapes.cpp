@@ -70,7 +70,7 @@ double BodyShape::turn_at(int i) const {
   return hinge_angle(corner);
 }
 
-std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
+std::vector<BodyShape> lay_out_bodies(const System<2>& system) {
   for (int d = 0; d < 2; ++d)
     if (!(system.box.length[d] > 0) || std::isinf(system.box.length[d]))
       throw input_error(fmt::format("the cell has length {}", system.box.length[d]), "out of range",
@@ -84,10 +84,15 @@ std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
     BodyShape& shape = shapes[body];
     shape.ring.assign(state.position.begin() + first, state.position.begin() + last);
     shape.radius.assign(state.radius.begin() + first, state.radius.begin() + last);
-    check(shape, body, outline);
     shape.bounds = bounds_with_discs(shape);
     bring_into_cell(shape, system.box);
   }
+  return shapes;
+}
+
+std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
+  std::vector<BodyShape> shapes = lay_out_bodies(system);
+  for (int body = 0; body < static_cast<int>(shapes.size()); ++body) check(shapes[body], body, outline);
   return shapes;
 }
 

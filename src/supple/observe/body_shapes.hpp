@@ -34,7 +34,11 @@ struct BodyImage {
   Bounds bounds;
 };
 
-/// One copy of every body, its middle brought into the cell. Throws an input error on a body of two sites, on
+/// One copy of every body, its middle brought into the cell, whatever its shape. Throws an input error on a cell that
+/// has no size, and on a body without sites.
+std::vector<BodyShape> lay_out_bodies(const System<2>& system);
+
+/// The same for bodies that have an area. Throws an input error also on a body of two sites, on
 /// a ring that is clockwise or has two neighbours in one place, a radius that is negative, a number that is
 /// not finite, and for smooth outlines on a ring of unequal radii.
 std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "supple/model/rigid.hpp"
@@ -27,6 +28,26 @@ std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyT
   return site;
 }
 
+/// From the far side as it is stored to the copy that the record is with: its branch is the sum of weight times
+/// position over the nearest images.
+Vec2 shift_of(const System<2>& system, const ContactRecord<2>& record) {
+  Vec2 stored{};
+  for (int k = 0; k < record.sites; ++k) stored += record.weight[k] * system.state.position[record.site[k]];
+  return stored - record.branch;
+}
+
+/// The pair of a contact, with the cells between its bodies.
+ContactNetwork::Pair pair_of(const Box<2>& box, const SiteContact& c) {
+  const bool turned = c.body > c.other_body;
+  const Vec2 shift = turned ? -c.shift : c.shift;
+  const auto cells = [&](int d, double length) {
+    return box.periodic[d] ? static_cast<std::int32_t>(std::lround(length / box.length[d])) : 0;
+  };
+  const std::int32_t up = cells(gradient, shift[gradient]);
+  const std::int32_t across = cells(flow, shift[flow] - up * box.strain * box.length[gradient]);
+  return {turned ? c.other_body : c.body, turned ? c.body : c.other_body, across, up, 1};
+}
+
 bool counts(std::span<const std::uint8_t> left_out, std::int32_t body) {
   return left_out.empty() || left_out[body] == 0;
 }
@@ -45,8 +66,8 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<SiteContact> contacts;
   for (const BodyTouch& touch : sum_touches(system, records, law))
-    contacts.push_back(
-        {touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force});
+    contacts.push_back({touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force,
+                        shift_of(system, records[touch.first_record])});
   return contacts;
 }
 
@@ -75,9 +96,8 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
   ContactNetwork network;
   const int sites = system.state.size();
   network.walls.assign(static_cast<std::size_t>(system.topology.body_count(sites)), 0);
-  for (const SiteContact& c : contacts)
-    network.pairs.push_back({std::min(c.body, c.other_body), std::max(c.body, c.other_body), 1});
-  const auto key = [](const ContactNetwork::Pair& p) { return std::pair(p.first, p.second); };
+  for (const SiteContact& c : contacts) network.pairs.push_back(pair_of(system.box, c));
+  const auto key = [](const ContactNetwork::Pair& p) { return std::tuple(p.first, p.second, p.across, p.up); };
   std::sort(network.pairs.begin(), network.pairs.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::size_t last = 0;
@@ -92,30 +112,7 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const auto& [b, which] : touched) ++network.walls[b];
-  network.wall_sites.assign(network.walls.size(), 0);
-  for (const SiteForce<2>& w : wall) ++network.wall_sites[body[w.site]];
-  for (int b = 0; b < network.bodies(); ++b) network.single.push_back(system.topology.body_size(b) == 1);
   return network;
-}
-
-std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least) {
-  std::vector<std::uint8_t> rattler(static_cast<std::size_t>(network.bodies()), 0);
-  for (bool removed = true; removed;) {
-    removed = false;
-    std::vector<std::int32_t> neighbours = network.walls, sites = network.wall_sites;
-    for (const ContactNetwork::Pair& p : network.pairs) {
-      if (rattler[p.first] || rattler[p.second]) continue;
-      for (const std::int32_t b : {p.first, p.second}) ++neighbours[b], sites[b] += p.site_contacts;
-    }
-    for (int b = 0; b < network.bodies(); ++b) {
-      if (rattler[b] ||
-          (network.single[b] ? neighbours[b] >= least : neighbours[b] >= 2 && sites[b] >= least))
-        continue;
-      rattler[b] = 1;
-      removed = true;
-    }
-  }
-  return rattler;
 }
 
 ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std::uint8_t> left_out) {

@@ -1,4 +1,4 @@
-/// Which bodies touch: contact numbers, rattlers, and what a rigid packing needs.
+/// Which bodies touch: contact numbers, and what a rigid packing needs.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,7 +14,9 @@ namespace supple {
 struct SiteContact {
   std::int32_t site, other;  ///< the site that acts, and the site of the other body that bears most of it
   std::int32_t body, other_body;
-  Vec2 force;  ///< on `site`
+  Vec2 force;  ///< on `site`, along a line through it
+  /// The copy of the other body that is met is displaced by this from its unwrapped sites.
+  Vec2 shift{};
 
   double normal_force() const { return norm(force); }
 };
@@ -28,17 +30,16 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                     const Harmonic& law);
 
-/// The bodies that touch each other, or a wall. Two bodies that meet also through a second image (in a very
-/// small cell) are one pair.
+/// The bodies that touch each other, or a wall. Two bodies that meet through two images, as in a very small cell, are
+/// two pairs: each of them has two neighbours.
 struct ContactNetwork {
   struct Pair {
-    std::int32_t first, second;  ///< bodies, first < second
+    std::int32_t first, second;  ///< bodies, first <= second
+    std::int32_t across, up;     ///< cells by which the copy of `second` is displaced along flow and gradient
     std::int32_t site_contacts;
   };
-  std::vector<Pair> pairs;               ///< ascending (first, second)
-  std::vector<std::int32_t> walls;       ///< that each body touches
-  std::vector<std::int32_t> wall_sites;  ///< sites of each body that touch a wall
-  std::vector<std::uint8_t> single;      ///< 1: a body of one site, which nothing can turn
+  std::vector<Pair> pairs;          ///< ascending (first, second, across, up)
+  std::vector<std::int32_t> walls;  ///< that each body touches
 
   int bodies() const { return static_cast<int>(walls.size()); }
   /// Bodies and walls that each body touches.
@@ -48,13 +49,6 @@ struct ContactNetwork {
 /// `wall` are the forces of walls (Evaluation::wall).
 ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
                                std::span<const SiteForce<2>> wall = {});
-
-/// Bodies that their contacts cannot hold, removed until none is left. A disc: fewer than `least` = d + 1
-/// neighbours (walls count) that are no rattlers. A body that can turn is held by as many contacts of its
-/// vertices, from two sides at least: it may rest between two neighbours, as one wheel does between the teeth
-/// of two others, and where z is near 3 the rule for discs would take away one particle after the other of a
-/// packing that bears pressure. One number per body, 1: a rattler.
-std::vector<std::uint8_t> find_rattlers(const ContactNetwork& network, int least = 3);
 
 /// Contact numbers of the bodies that are not left out.
 struct ContactNumbers {

@@ -1,11 +1,9 @@
 #include "supple/observe/shape_measures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 
-#include "supple/contact/sites_inside.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
@@ -63,13 +61,12 @@ ShapeMeasures measure_shapes(const System<2>& system) {
   return out;
 }
 
-std::vector<std::int32_t> bodies_inside_others(const System<2>& system) {
-  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  std::vector<std::int32_t> inside;
-  for (const SiteInside& found : find_sites_inside(system)) inside.push_back(body[found.site]);
-  std::sort(inside.begin(), inside.end());
-  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
-  return inside;
+std::optional<double> mean_shape_parameter(const ShapeMeasures& shapes) {
+  double sum = 0, polygons = 0;
+  for (const double a : shapes.shape_parameter)
+    if (a > 0) sum += a, ++polygons;
+  if (polygons == 0) return std::nullopt;
+  return sum / polygons;
 }
 
 }  // namespace supple

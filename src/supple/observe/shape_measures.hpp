@@ -1,6 +1,6 @@
-/// Sizes and shapes of bodies, and bodies that have got into each other.
+/// Sizes and shapes of bodies.
 #pragma once
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "supple/model/system.hpp"
@@ -17,7 +17,7 @@ struct ShapeMeasures {
 
 ShapeMeasures measure_shapes(const System<2>& system);
 
-/// Bodies with a site inside the polygon of another body (find_sites_inside), ascending: vertices have passed an edge.
-std::vector<std::int32_t> bodies_inside_others(const System<2>& system);
+/// Over the polygons: discs have none. Nothing where there are none.
+std::optional<double> mean_shape_parameter(const ShapeMeasures& shapes);
 
 }  // namespace supple

@@ -1,0 +1,91 @@
+#include "supple/observe/rattlers.hpp"
+
+#include <algorithm>
+
+#include "supple/geometry/nearest_in_hull.hpp"
+#include "supple/model/bodies.hpp"
+
+namespace supple {
+
+namespace {
+
+/// A push on a body, and the body whose going would take it away; -1: none.
+struct Push {
+  std::int32_t body, by;
+  Vec3 wrench;  ///< unit force, and its torque over the outer radius
+};
+
+class Pushes {
+ public:
+  explicit Pushes(const System<2>& system) : system_(system), bodies_(system.topology.body_count(system.state.size())) {
+    for (int b = 0; b < bodies_; ++b) {
+      centre_.push_back(body_centre(system, b));
+      radius_.push_back(outer_radius(system, b));
+    }
+  }
+
+  /// A force that acts on a body at a point of its unwrapped copy.
+  void add(std::int32_t body, std::int32_t by, const Vec2& force, const Vec2& at) {
+    const double size = norm(force);
+    if (!(size > 0)) return;
+    const Vec2 push = (1 / size) * force;
+    const bool turns = system_.topology.body_size(body) > 1 && radius_[body] > 0;
+    const double torque = turns ? cross(at - centre_[body], push) / radius_[body] : 0;
+    all_.push_back({body, by, {push[0], push[1], torque}});
+  }
+
+  std::vector<std::uint8_t> rattlers(double least_rate) {
+    std::stable_sort(all_.begin(), all_.end(), [](const Push& a, const Push& b) { return a.body < b.body; });
+    std::vector<std::uint8_t> rattler(static_cast<std::size_t>(bodies_), 0);
+    std::vector<Vec3> wrenches;
+    for (bool removed = true; removed;) {
+      removed = false;
+      auto push = all_.begin();
+      for (int b = 0; b < bodies_; ++b) {
+        wrenches.clear();
+        for (; push != all_.end() && push->body == b; ++push)
+          if (push->by < 0 || !rattler[push->by]) wrenches.push_back(push->wrench);
+        if (rattler[b] || is_fixed(b) || distance_to_hull(wrenches) <= least_rate) continue;
+        rattler[b] = 1;
+        removed = true;
+      }
+    }
+    return rattler;
+  }
+
+  int bodies() const { return bodies_; }
+  const Vec2& centre(int body) const { return centre_[body]; }
+
+ private:
+  bool is_fixed(int b) const {
+    const auto& mobility = system_.state.mobility;
+    return std::any_of(mobility.begin() + system_.topology.body_begin(b),
+                       mobility.begin() + system_.topology.body_end(b),
+                       [](Mobility m) { return m != Mobility::free; });
+  }
+
+  const System<2>& system_;
+  int bodies_;
+  std::vector<Vec2> centre_;
+  std::vector<double> radius_;
+  std::vector<Push> all_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vector<SiteContact>& contacts,
+                                        const OutsideForces& outside, double least_rate) {
+  Pushes pushes(system);
+  for (const SiteContact& c : contacts) {
+    if (c.body == c.other_body) continue;  // an image of itself moves with it
+    const Vec2& at = system.state.position[c.site];
+    pushes.add(c.body, c.other_body, c.force, at);
+    pushes.add(c.other_body, c.body, -c.force, at - c.shift);
+  }
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  for (const SiteForce<2>& w : outside.wall) pushes.add(body[w.site], -1, w.force, system.state.position[w.site]);
+  for (int b = 0; b < pushes.bodies(); ++b) pushes.add(b, -1, outside.gravity, pushes.centre(b));
+  return pushes.rattlers(least_rate);
+}
+
+}  // namespace supple

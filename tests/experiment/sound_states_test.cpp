@@ -1,0 +1,183 @@
+/// Runs in which particles get into each other end there, or say so.
+#include "supple/experiment/sound_states.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+#include <numeric>
+
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/packing_record.hpp"
+#include "supple/model/polygons.hpp"
+
+namespace supple {
+namespace {
+
+using std::numbers::pi;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+Case case_of(const char* family, int bodies, int vertices) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.bodies.family = family;
+  c.bodies.count = bodies;
+  c.bodies.vertices = vertices;
+  c.jamming.packing_fraction = 0.4;
+  c.jamming.step = 0.01;
+  resolve_family(c);
+  return c;
+}
+
+/// Runs it; expects a numerics error, and that the state handed over is one that a run may accept.
+std::string stopped(const Case& c, MemoryRecorder& recorder) {
+  try {
+    run_jamming(c, nullptr, recorder);
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::numerics) << e.what();
+    const Outline outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+    EXPECT_GT(recorder.last_system.state.size(), 0);
+    EXPECT_TRUE(look_at(recorder.last_system, outline).sound()) << look_at(recorder.last_system, outline).what();
+    return e.what();
+  }
+  return "it ran to its end";
+}
+
+/// Floppy rings with much too long edges fold over themselves: the run reported a packing fraction of 1.334 for 0.977.
+TEST(SoundStates, ARunStopsWhereRingsCrossThemselves) {
+  Case c = case_of("floppy", 12, 16);
+  c.bodies.shape_parameter = 1.3;
+  c.contact.kind = "smooth";
+  c.jamming.pressure = 0.1;
+  MemoryRecorder recorder;
+  EXPECT_THAT(stopped(c, recorder), ::testing::AnyOf(HasSubstr("cross"), HasSubstr("inside")));
+  c.contact.unsound = "mark";
+  MemoryRecorder again;
+  EXPECT_THAT(stopped(c, again), HasSubstr("cross")) << "a ring without an area cannot be marked";
+}
+
+/// Not "bad input: order the sites counter-clockwise".
+TEST(SoundStates, ARingThatTurnsOverIsAFailureOfTheRun) {
+  Case c = case_of("shell", 12, 16);
+  c.bodies.shape_parameter = 1.5;
+  c.bodies.k_b = 0;
+  c.contact.kind = "smooth";
+  c.jamming.pressure = 0.1;
+  MemoryRecorder recorder;
+  EXPECT_THAT(stopped(c, recorder), HasSubstr("k_b"));
+}
+
+TEST(SoundStates, ParticlesInsideOthersStopARunOrAreMarked) {
+  Case c = case_of("shell", 16, 12);
+  c.bodies.diameter_ratio = 0.6;
+  c.jamming.pressure = 0.05;
+  MemoryRecorder recorder;
+  EXPECT_THAT(stopped(c, recorder), HasSubstr("diameter_ratio"));
+  c.contact.unsound = "mark";
+  MemoryRecorder marked;
+  run_jamming(c, nullptr, marked);
+  EXPECT_THAT(marked.warnings, Contains(HasSubstr("those of no packing")));
+  EXPECT_GT(marked.tables.at("packing").column("unsound").back(), 0);
+  const std::vector<double>& where = marked.frames.back().body.at("unsound");
+  EXPECT_EQ(marked.get("results", "unsound"), std::accumulate(where.begin(), where.end(), 0.0));
+}
+
+/// A ring is thrown across itself in dynamics: one vertex shoots through the opposite edge.
+TEST(SoundStates, DynamicsStopsWhereARingCrossesItself) {
+  Case c = case_of("shell", 4, 12);
+  c.general.experiment = "dynamics";
+  c.general.physics = "deformable";
+  c.jamming.packing_fraction = 0.2;
+  c.time.steps = 400;
+  InitialState start;
+  start.system = make_packing(c, nullptr, 0.2).system;
+  start.system.state.velocity[0] = -3 * (start.system.state.position[0] - start.system.state.position[6]);
+  MemoryRecorder recorder;
+  try {
+    run_body_dynamics(c, &start, recorder);
+    FAIL() << "it went on";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::numerics) << e.what();
+  }
+  EXPECT_TRUE(look_at(recorder.last_system, Outline::rough).has_areas());
+}
+
+TEST(SoundStates, AGivenPackingThatIsUnsoundIsBadInput) {
+  const Case c = case_of("shell", 4, 12);
+  InitialState start;
+  start.system = make_packing(c, nullptr, 0.2).system;
+  std::swap(start.system.state.position[2], start.system.state.position[7]);
+  try {
+    make_packing(c, &start, 0.2);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    EXPECT_THAT(e.what(), HasSubstr("crosses itself"));
+  }
+}
+
+/// Vertices so small that others pass between them from the start are refused before anything is computed.
+TEST(SoundStates, HolesBetweenVerticesAreRefusedAtTheStart) {
+  Case c = case_of("shell", 16, 12);
+  c.bodies.diameter_ratio = 0.5;
+  try {
+    make_packing(c, nullptr, 0.4);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    EXPECT_THAT(e.what(), HasSubstr("diameter_ratio"));
+  }
+}
+
+/// Droplets shrink: the fraction on the way is not that of the areas at the start.
+TEST(SoundStates, TheFractionOnTheWayIsThatOfTheResult) {
+  for (const char* contact : {"rough", "smooth"}) {
+    Case c = case_of("droplet", 8, 12);
+    c.contact.kind = contact;
+    c.jamming.pressure = 1e-3;
+    Packing packing = make_packing(c, nullptr, 0.4);
+    double last = 0, near = 0;
+    jam(packing, jam_spec(c), [&](const JamProgress& p) {
+      last = reached_fraction(packing, p);
+      near = p.state.packing_fraction;
+      return true;
+    });
+    const double exact = packing_fraction(packing.system, packing.outline).total;
+    EXPECT_NEAR(last, exact, 2e-4) << contact;
+    EXPECT_NEAR(near, exact, 0.03) << contact;
+  }
+}
+
+/// Small and large particles with their own numbers of vertices: A0 relative to the regular polygon of each.
+TEST(Packing, TheShapeParameterOfEachSize) {
+  Case c = case_of("floppy", 16, 10);
+  c.bodies.vertex_rule = "scaled";
+  c.bodies.shape_parameter = 0;
+  c.bodies.shape_ratio = 1.0055;
+  const auto wanted = [&](int body) {
+    const System<2> s = make_packing(c, nullptr, 0.3).system;
+    double perimeter = 0;
+    for (int f = s.topology.facet_begin[body]; f < s.topology.facet_begin[body + 1]; ++f) perimeter += s.shape.rest_facet[f];
+    return perimeter * perimeter / (4 * pi * s.shape.rest_volume[body]);
+  };
+  EXPECT_NEAR(wanted(0), 1.0055 * least_shape_parameter(10), 1e-12);
+  EXPECT_NEAR(wanted(15), 1.0055 * least_shape_parameter(14), 1e-12);
+  c.bodies.shape_ratio_large = 1.1;
+  EXPECT_NEAR(wanted(0), 1.0055 * least_shape_parameter(10), 1e-12);
+  EXPECT_NEAR(wanted(15), 1.1 * least_shape_parameter(14), 1e-12);
+}
+
+/// A0 of the regular polygon is degenerate without bending stiffness.
+TEST(Packing, FloppyParticlesAreNoRegularPolygonsByDefault) {
+  EXPECT_EQ(case_of("floppy", 4, 20).bodies.shape_parameter, 1.04);
+  EXPECT_NEAR(case_of("floppy", 4, 6).bodies.shape_parameter, 1.01 * least_shape_parameter(6), 1e-15);
+  EXPECT_EQ(case_of("shell", 4, 20).bodies.shape_parameter, 0);
+  Case c = case_of("shell", 4, 20);
+  c.bodies.family = "floppy";
+  c.given.insert("bodies.A0");
+  resolve_family(c);
+  EXPECT_EQ(c.bodies.shape_parameter, 0) << "asked for";
+}
+
+}  // namespace
+}  // namespace supple
