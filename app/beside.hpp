@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
@@ -20,6 +21,14 @@ std::string export_path(const std::string& run, const std::string& to);
 
 /// The state that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
+
+/// A case that has adopted what its state holds, and that state, if it names one.
+struct LoadedCase {
+  Case c;
+  std::optional<InitialState> initial;
+};
+/// Reads the case, applies --set and --threads, takes over what the state holds, and checks it.
+LoadedCase load_case(const CaseChoice& choice);
 
 /// Derived numbers; errors name the case.
 std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState>& initial);

@@ -10,7 +10,7 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/experiment/given_packing.hpp"
+#include "supple/experiment/adopt_state.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/progress.hpp"
 #include "supple/io/packing_file.hpp"
@@ -107,14 +107,7 @@ std::string section_text(const std::string& section) {
 }  // namespace
 
 std::optional<InitialState> load_initial(const Case& c) {
-  if (!c.initial.packing.empty()) {
-    StoredPacking packing = read_packing_json(c.initial.packing);
-    InitialState initial;
-    initial.units = reduced_units();
-    initial.system = std::move(packing.system);
-    initial.contact = packing.contact;
-    return initial;
-  }
+  if (!c.initial.packing.empty()) return as_initial(read_packing_json(c.initial.packing));
   if (c.initial.state.empty()) return std::nullopt;
   return read_state(c.initial.state);
 }
@@ -127,13 +120,20 @@ std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState
   }
 }
 
-Case load_case(const CaseChoice& choice) {
+LoadedCase load_case(const CaseChoice& choice) {
   Case c = read_case(choice.path, choice.set);
   if (choice.threads > 0) c.general.threads = choice.threads;
   resolve_family(c);
+  std::optional<InitialState> initial = load_initial(c);
+  const std::string origin = c.origin;
+  try {
+    c = adopt_state(std::move(c), initial ? &*initial : nullptr);
+  } catch (const Error& e) {
+    throw Error(e.kind(), fmt::format("{}: {}", origin, e.what()));
+  }
   supple::check(c);
   thread_count() = c.general.threads;
-  return c;
+  return {std::move(c), std::move(initial)};
 }
 
 void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing) {
@@ -171,10 +171,8 @@ void init(const std::string& experiment, const std::string& physics, const std::
 }
 
 void check(const CaseChoice& choice, Format format) {
-  Case c = load_case(choice);
-  const std::optional<InitialState> initial = load_initial(c);
+  const auto [c, initial] = load_case(choice);
   const std::vector<std::string> doubts = find_doubts(c);
-  c = adopt_state(c, initial ? &*initial : nullptr);
   const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
   const double estimate =

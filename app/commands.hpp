@@ -19,9 +19,6 @@ struct CaseChoice {
   int threads = 0;               ///< 0: as the case says
 };
 
-/// Reads the case, applies --set and --threads, and checks it.
-Case load_case(const CaseChoice& choice);
-
 /// Writes a commented case of that experiment; `physics` empty: its first one; `path` empty: EXPERIMENT.toml; "-":
 /// stdout.
 void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing);

@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/experiment/given_packing.hpp"
 #include "supple/io/body_pictures.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/file_recorder.hpp"
@@ -99,9 +98,7 @@ void write_beside(const Case& c, const std::string& run, Existing existing, Comm
 }  // namespace
 
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
-  Case c = load_case(choice);
-  const std::optional<InitialState> initial = load_initial(c);
-  c = adopt_state(c, initial ? &*initial : nullptr);
+  const auto [c, initial] = load_case(choice);
   derive_case(c, initial);  // its input errors come before any file
   const std::string file = run_path(c, choice.path, path);
   check_outputs(c, file, existing);

@@ -49,8 +49,7 @@ void export_final_packing(const std::string& run_path, const std::string& path, 
   if (!is_of_bodies(RunFile(run_path)))
     throw input_error(run_path + " holds discs of microgels", "a packing is of deformable particles",
                       "export --to state");
-  const InitialState state = read_state(run_path);
-  write_packing_json({state.system, state.contact.value_or(Harmonic{})}, path, existing);
+  write_packing_json(as_packing(read_state(run_path)), path, existing);
 }
 
 }  // namespace

@@ -155,7 +155,8 @@ TEST_F(Bodies, APackingOfARunStartsTheSameAgain) {
 
 TEST_F(Bodies, StatesOfOtherThingsAreRefused) {
   make_jammed();
-  write("discs.toml", "experiment = \"dynamics\"\n[initial]\nstate = \"jam.h5\"\n[time]\nsteps = 5\n");
+  write("discs.toml",
+        "experiment = \"dynamics\"\nphysics = \"documented\"\n[initial]\nstate = \"jam.h5\"\n[time]\nsteps = 5\n");
   const Outcome discs = supple("run discs.toml");
   EXPECT_EQ(discs.code, 2);
   EXPECT_THAT(discs.err, HasSubstr("set physics = \"deformable\""));

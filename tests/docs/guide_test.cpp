@@ -82,5 +82,23 @@ TEST_F(Examples, ReadingARunInPython) {
   EXPECT_THAT(read_text(path("log")), testing::HasSubstr("G' = "));
 }
 
+TEST_F(Examples, PackingOfTwoEllipsesInARectangularCell) {
+  write("cell.json", code_block(document("docs/packing_json.md"), "Two ellipses in a rectangular cell", "json"));
+  write("move.toml", "experiment = \"dynamics\"\n[initial]\npacking = \"cell.json\"\n[time]\nsteps = 100\n"
+                     "[motion]\nkinetic_energy = 1e-3\n[output]\nplot = false\n");
+  const Outcome run = supple("run move.toml");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("3 particles, 2 of them polygons, with 16 vertices, cell 6 x 4"));
+}
+
+TEST_F(Examples, PackingOfADistributionOfSizes) {
+  run_script("python3", code_block(document("docs/packing_json.md"), "A distribution of sizes", "python"));
+  write("jam.toml", "experiment = \"jamming\"\n[initial]\npacking = \"ellipses.json\"\n[jamming]\nstep = 0.02\n"
+                    "pressure = 1e-3\n[output]\nplot = false\nsnapshot = false\n");
+  const Outcome run = supple("run jam.toml");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::HasSubstr("18 particles"));
+}
+
 }  // namespace
 }  // namespace supple

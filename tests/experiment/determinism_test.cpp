@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "supple/core/parallel.hpp"
+#include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/file_recorder.hpp"
@@ -68,7 +69,7 @@ TEST_P(Determinism, ThreadsChangeNothing) {
 
 TEST_P(Determinism, ARunSplitInTwoThroughItsFileIsTheWholeRun) {
   const auto recorded = [&](const Case& c, const InitialState* initial, const std::string& name) {
-    FileRecorder recorder(in_folder(name), c, write_case(c, CaseStyle::resolved));
+    FileRecorder recorder(in_folder(name), adopt_state(c, initial), write_case(c, CaseStyle::resolved));
     run(c, initial, recorder);
     recorder.finish("complete");
     return read_state(in_folder(name));
@@ -77,6 +78,7 @@ TEST_P(Determinism, ARunSplitInTwoThroughItsFileIsTheWholeRun) {
   Case c = short_shear(45, GetParam());
   c.general.experiment = "dynamics";
   c.shear.rate = "2000*cos(3000*t)";
+  c.initial.keep_time = true;
   c.initial.state = "start.h5";
   const auto steps = [&](std::int64_t n) {
     c.time.steps = n;

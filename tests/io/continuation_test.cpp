@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/file_recorder.hpp"
 #include "supple/io/state_file.hpp"
@@ -29,8 +30,9 @@ class Continuation : public TemporaryFolder,
     c.general.physics = std::get<0>(GetParam());
     c.time.steps = steps;
     c.shear.rate = "10000*cos(50000*t)";
+    c.initial.keep_time = true;
     const InitialState initial = read_state(state);
-    FileRecorder recorder(in_folder(run), c, "");
+    FileRecorder recorder(in_folder(run), adopt_state(c, &initial), "");
     supple::run(c, &initial, recorder);
     recorder.finish("complete");
     return read_state(in_folder(run));

@@ -160,27 +160,27 @@ TEST_F(PackingFile, WhatIsWrittenIsReadBack) {
 
   PackingDraw draw;
   draw.shape = {1 / 3., 1 / 7., 0.1, 1 / 9.};
-  StoredPacking droplets{random_polygons(draw), {1 / 3., false}};  // tension, a sheared cell that is not square
+  StoredPacking droplets{random_polygons(draw), {1 / 3., false}, {}, {}};  // tension, a sheared cell that is not square
   add_disc_body(droplets.system, {1 / 3., 2}, 1 / 7.);
   droplets.system.box.periodic = {true, false};
   expect_same_packing(rewritten(droplets), droplets);
 
   draw.shape.kind = StiffnessKind::absolute;
-  StoredPacking absolute{random_polygons(draw), {2, false}};
+  StoredPacking absolute{random_polygons(draw), {2, false}, {}, {}};
   absolute.system.shape.rest_facet[3] *= 1.5;  // plastic flow
   absolute.system.shape.rest_hinge[5] = -0.1;
   expect_same_packing(rewritten(absolute), absolute);
 
   draw.shape.kind = StiffnessKind::relative;
   draw.bodies = 1;
-  StoredPacking flowed{random_polygons(draw), {}};
+  StoredPacking flowed{random_polygons(draw), {}, {}, {}};
   flowed.system.shape.rest_facet[3] *= 1.5;
   expect_same_packing(rewritten(flowed), flowed);
 }
 
 TEST_F(PackingFile, WhatTheLayoutCannotHoldIsRefused) {
   const auto refused = [&](auto&& change) -> std::string {
-    StoredPacking packing{random_polygons(), {}};
+    StoredPacking packing{random_polygons(), {}, {}, {}};
     change(packing.system);
     try {
       write_packing_json(packing, in_folder("packing.json"));
@@ -193,7 +193,6 @@ TEST_F(PackingFile, WhatTheLayoutCannotHoldIsRefused) {
   };
   using S = System<2>;
   EXPECT_THAT(refused([](S& s) { s.shape.stiffness[2].volume *= 2; }), HasSubstr("different stiffnesses"));
-  EXPECT_THAT(refused([](S& s) { make_rigid(s, 1); }), HasSubstr("rigid"));
   EXPECT_THAT(refused([](S& s) { s.state.radius[1] *= 2; }), HasSubstr("different sizes"));
   EXPECT_THAT(refused([](S& s) { s.shape = {}; }), HasSubstr("no preferred shapes"));
 }

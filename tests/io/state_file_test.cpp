@@ -74,7 +74,7 @@ TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
   EXPECT_EQ(s.material.nu_t, 0.4);
   EXPECT_EQ(s.material.permanent_ratio_tangential, 0.25);
   EXPECT_EQ(s.material.keep_viscosity_coefficients_constant, false);
-  EXPECT_EQ(s.applying_shear, true);
+  EXPECT_EQ(s.keys, (HeldKeys{{"box.plates", "capture"}}));
   EXPECT_FALSE(s.reset_force_each_step);
   EXPECT_FALSE(s.evaluation);
   EXPECT_EQ(s.protocol, (std::map<std::string, double>{{"dt", 0.01}, {"cool_factor", 0.5}, {"steps", 100}}));

@@ -29,6 +29,14 @@ inline constexpr Range not_negative{0};
 inline constexpr Range at_least_one{1};
 inline constexpr Range fraction{0, 1};
 
+/// What becomes of a parameter when a run goes on from a state.
+enum class Role {
+  run,     ///< how this run goes: not of the state
+  law,     ///< what acts, kept with the state by its name: it holds unless the case gives the key
+  sample,  ///< how the sample was made: given with a state it must be that of the state
+  number   ///< what acts, too, and the state has it as numbers of its own
+};
+
 /// One parameter of the struct P: its key, where it lives, its unit ("" for none), its meaning in one line.
 /// A member of type double reads integers too; choices lists the valid values of a string ("" in it: any).
 template <class P>
@@ -40,9 +48,18 @@ struct Field {
   std::string_view meaning;
   Range range = any_value;
   std::vector<std::string_view> choices = {};
+  Role role = Role::run;
 };
 
 template <class P>
 using Fields = std::vector<Field<P>>;
+
+/// The same fields; those of no role of their own get this one.
+template <class P>
+Fields<P> with_role(Role role, Fields<P> fields) {
+  for (Field<P>& f : fields)
+    if (f.role == Role::run) f.role = role;
+  return fields;
+}
 
 }  // namespace supple

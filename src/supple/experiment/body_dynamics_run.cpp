@@ -5,6 +5,7 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/experiment/suspension.hpp"
 
 namespace supple {
 
@@ -28,7 +29,9 @@ std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* ini
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
   System<2>& s = packing.system;
-  if (!initial && c.motion.kinetic_energy > 0) draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
+  start_clock(s, c);
+  if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
+    draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
   const double dt = body_time_step(c, packing, initial, conserving_step);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
@@ -54,7 +57,8 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
     throw;
   }
   recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
-  record_packing(packing, {}, recorder);
+  const bool closed = environment_of(packing).is_closed();
+  record_packing(packing, {}, recorder, closed ? Surroundings::closed : Surroundings::open);
 }
 
 }  // namespace supple

@@ -20,7 +20,8 @@ const Fields<General>& fields() {
        "",
        "microgel discs as documented, or as the published package computes them; or deformable particles",
        any_value,
-       {"documented", "particleshear-1.0.2", "deformable"}},
+       {"documented", "particleshear-1.0.2", "deformable"},
+       Role::law},
       {"seed", &General::seed, "", "key of all random numbers", at_least_zero},
       {"threads", &General::threads, "", "threads; results do not depend on it", {1, 1024}},
   };
@@ -30,9 +31,9 @@ const Fields<General>& fields() {
 template <>
 const Fields<Material>& fields() {
   using M = Material;
-  static const Fields<M> f{
+  static const Fields<M> all{
       {"young_modulus", &M::young_modulus, "Pa", "Young modulus of the discs; k = (pi/8) E (S1-8)", positive},
-      {"density", &M::density, "kg/m^3", "density of the discs", positive},
+      {"density", &M::density, "kg/m^3", "density of the discs", positive, {}, Role::sample},
       {"friction", &M::friction, "", "Coulomb coefficient mu of contacts", not_negative},
       {"relative_viscosity", &M::relative_viscosity, "", "viscosity over sqrt(m k) (S1-9)", not_negative},
       {"relative_transversal_link_strength", &M::relative_transversal_link_strength, "",
@@ -76,13 +77,14 @@ const Fields<Material>& fields() {
        any_value,
        {"distance", "radius"}},
   };
+  static const Fields<M> f = with_role(Role::law, all);
   return f;
 }
 
 template <>
 const Fields<Particles>& fields() {
   using P = Particles;
-  static const Fields<P> f{
+  static const Fields<P> all{
       {"N", &P::discs, "", "number of discs", {1, 1e7}},
       {"packing_fraction", &P::packing_fraction, "", "area of all discs over area of the cell (S1-14)",
        {0, 5, true, false}},
@@ -100,19 +102,21 @@ const Fields<Particles>& fields() {
       {"remove_link_fraction", &P::remove_link_fraction, "",
        "fraction of links removed at random; particles stay connected", {0, 1, false, true}},
   };
+  static const Fields<P> f = with_role(Role::sample, all);
   return f;
 }
 
 template <>
 const Fields<Cell>& fields() {
-  static const Fields<Cell> f{
-      {"width", &Cell::width, "m", "length along the flow", positive},
-      {"height", &Cell::height, "m", "gap between the plates", positive},
+  static const Fields<Cell> all{
+      {"width", &Cell::width, "m", "length along the flow", positive, {}, Role::sample},
+      {"height", &Cell::height, "m", "gap between the plates", positive, {}, Role::sample},
       {"boundary", &Cell::boundary, "", "Lees-Edwards; periodic without shear; or none, with discs fixed at the edge",
        any_value, {"lees_edwards", "periodic", "fixed"}},
       {"plates", &Cell::plates, "", "discs at a plate join it; are only repelled by it; or there are no plates",
        any_value, {"capture", "repulsive", "none"}},
   };
+  static const Fields<Cell> f = with_role(Role::law, all);
   return f;
 }
 
@@ -126,7 +130,7 @@ const Fields<Shear>& fields() {
       {"pre_periods", &S::pre_periods, "", "periods of rest before", not_negative},
       {"post_periods", &S::post_periods, "", "periods of rest after", not_negative},
       {"cool_factor", &S::cool_factor, "", "factor per period on velocity relative to the flow, and on spin",
-       {0, 1, true, false}},
+       {0, 1, true, false}, {}, Role::law},
       {"rate", &S::rate, "1/s", "shear rate as an expression of t [s] (dynamics)"},
   };
   return f;
@@ -157,7 +161,8 @@ template <>
 const Fields<Initial>& fields() {
   static const Fields<Initial> f{
       {"state", &Initial::state, "", "file to start from: a run of Supple, or the reference's JSON"},
-      {"packing", &Initial::packing, "", "packing of polygons to start from: a JSON file"},
+      {"packing", &Initial::packing, "", "packing of deformable particles to start from: a JSON file"},
+      {"keep_time", &Initial::keep_time, "", "go on from the state's time and step (dynamics); else t starts at 0"},
   };
   return f;
 }

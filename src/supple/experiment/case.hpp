@@ -67,6 +67,7 @@ struct Preparation {
 struct Initial {
   std::string state;    ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
   std::string packing;  ///< path of a packing of polygons (JSON); empty: made from [bodies]
+  bool keep_time = false;  ///< t goes on from the state's own; else it starts at 0
 };
 
 /// Deformable particles, in units in which the preferred area of a small one is 1.

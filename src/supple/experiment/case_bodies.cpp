@@ -18,7 +18,7 @@ double floppy_shape_parameter(int vertices) { return std::max(1.04, 1.01 * least
 template <>
 const Fields<Bodies>& fields() {
   using B = Bodies;
-  static const Fields<B> f{
+  static const Fields<B> all{
       {"family",
        &B::family,
        "",
@@ -46,32 +46,40 @@ const Fields<Bodies>& fields() {
        "",
        "relative: (k/2)(l/l0 - 1)^2; absolute: (k/2)(l - l0)^2",
        any_value,
-       {"relative", "absolute"}},
-      {"k_a", &B::k_a, "", "stiffness of the area", not_negative},
-      {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative},
-      {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative},
-      {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative},
+       {"relative", "absolute"},
+       Role::number},
+      {"k_a", &B::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
+      {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
+      {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative, {}, Role::number},
+      {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
       {"yield_strain", &B::yield_strain, "",
-       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative},
-      {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative},
+       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative, {},
+       Role::law},
+      {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative, {}, Role::law},
   };
+  static const Fields<B> f = with_role(Role::sample, all);
   return f;
 }
 
 template <>
 const Fields<Touch>& fields() {
   using T = Touch;
-  static const Fields<T> f{
+  static const Fields<T> all{
       {"kind", &T::kind, "", "vertices as discs (9.3), or smooth boundaries (9.5, by inclusion-exclusion)", any_value,
        {"rough", "smooth"}},
-      {"k_c", &T::k_c, "", "stiffness of contacts, relative or absolute as [bodies] stiffness says", positive},
+      {"k_c", &T::k_c, "", "stiffness of contacts, relative or absolute as [bodies] stiffness says", positive, {},
+       Role::number},
       {"k_p", &T::k_p, "k_c", "stiffness of walls over k_c", positive},
       {"floor_friction", &T::floor_friction, "", "Coulomb coefficient of the floor", not_negative},
-      {"unsound", &T::unsound, "",
-       "when a particle has got into another one: stop with the last good state, or mark it and go on", any_value,
-       {"stop", "mark"}},
   };
+  static const Fields<T> f = [] {
+    Fields<T> fields = with_role(Role::law, all);
+    fields.push_back({"unsound", &T::unsound, "",
+                      "when a particle has got into another one: stop with the last good state, or mark it and go on",
+                      any_value, {"stop", "mark"}});
+    return fields;
+  }();
   return f;
 }
 
@@ -102,7 +110,9 @@ const Fields<Jamming>& fields() {
        &J::packing_fraction,
        "",
        "where the search starts, at random positions",
-       {0, 0.8, true, false}},
+       {0, 0.8, true, false},
+       {},
+       Role::sample},
       {"step", &J::step, "", "largest relative step of the packing fraction", {0, 0.1, true, false}},
       {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
@@ -145,12 +155,17 @@ const Fields<Uniaxial>& fields() {
        &U::packing_fraction,
        "",
        "of the area between the walls at random positions",
-       {0, 0.95, true, false}},
+       {0, 0.95, true, false},
+       {},
+       Role::sample},
       {"pressure", &U::pressure, "k_a a0",
        "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid "
        "particles",
-       not_negative},
-      {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive},
+       not_negative,
+       {},
+       Role::sample},
+      {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive, {},
+       Role::sample},
   };
   return f;
 }
@@ -159,7 +174,7 @@ template <>
 const Fields<Slump>& fields() {
   using S = Slump;
   static const Fields<S> f{
-      {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive},
+      {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive, {}, Role::law},
       {"width", &S::width, "mean particle diameter", "of the box in which the heap settles", at_least_one},
       {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall",
        at_least_one},
@@ -176,7 +191,7 @@ const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
       {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
-       not_negative},
+       not_negative, {}, Role::law},
       {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start", not_negative},
   };
   return f;

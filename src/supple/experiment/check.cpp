@@ -63,7 +63,8 @@ void check_shear(const Case& c, Problems& problems) {
   if (c.general.experiment == "dynamics" && c.output.text)
     add(problems, c, "output.text = true with experiment = \"dynamics\"",
         "the published text format holds an oscillatory run", "export the run to csv instead");
-  if (c.general.experiment == "dynamics" && c.time.steps == 0 && c.initial.state.empty())
+  if (c.general.experiment == "dynamics" && !c.is_given("time.steps") && c.time.steps == 0 &&
+      c.initial.state.empty())
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
 
@@ -91,6 +92,11 @@ void check_bodies(const Case& c, Problems& problems) {
   if (c.output.text)
     add(problems, c, "output.text = true with deformable particles",
         "the published text format holds discs of microgels", "export the run to csv instead");
+  if (c.general.experiment == "oscillatory_shear")
+    add(problems, c,
+        c.initial.packing.empty() ? "physics = \"deformable\" with experiment = \"oscillatory_shear\""
+                                  : "initial.packing with experiment = \"oscillatory_shear\"",
+        "it is about discs of microgels", "leave it away, or choose another experiment");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
     add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
         "a rough disc is a ring of vertices", "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
@@ -99,17 +105,6 @@ void check_bodies(const Case& c, Problems& problems) {
         fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}",
                     c.compression.highest_pressure, c.jamming.pressure),
         "compression goes from the one to the other", "raise the first or lower the second");
-}
-
-/// Keys of particles that are not made, because the run starts from those of a file.
-void find_keys_of_others(const Case& c, std::vector<std::string>& doubts) {
-  if (c.initial.state.empty() && c.initial.packing.empty()) return;
-  for (const std::string key :
-       {"bodies.N", "bodies.vertices", "bodies.vertex_rule", "bodies.size_ratio", "bodies.large_fraction", "bodies.A0",
-        "bodies.A0_ratio", "bodies.A0_ratio_large",
-        "bodies.diameter_ratio", "bodies.discs", "bodies.family", "jamming.packing_fraction",
-        "uniaxial.packing_fraction", "uniaxial.pressure", "uniaxial.aspect_ratio"})
-    if (c.is_given(key)) doubts.push_back(fmt::format("{} has no effect on particles that are read from a file", key));
 }
 
 /// Keys of sections that the experiment does not read.
@@ -156,13 +151,13 @@ std::vector<std::string> find_body_doubts(const Case& c) {
     doubts.push_back(fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
                                  "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
                                  b.gamma, b.k_l));
-  idle("contact.k_p", name == "slump" || name == "uniaxial_compression", "walls: slump or uniaxial_compression");
-  idle("contact.floor_friction", name == "slump", "experiment = \"slump\"");
-  idle("motion.kinetic_energy", name == "dynamics" && c.initial.state.empty(),
-       "dynamics that starts from [bodies] or a packing");
+  const bool given_cell = name == "dynamics" && !(c.initial.state.empty() && c.initial.packing.empty());
+  idle("contact.k_p", name == "slump" || name == "uniaxial_compression" || given_cell,
+       "walls: slump, uniaxial_compression, or dynamics from a file");
+  idle("contact.floor_friction", name == "slump" || given_cell, "experiment = \"slump\", or dynamics from a file");
+  idle("motion.kinetic_energy", name == "dynamics", "dynamics");
   if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
   for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
-  find_keys_of_others(c, doubts);
   find_idle_sections(c, doubts);
   return doubts;
 }

@@ -62,25 +62,27 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
   s.damping = damping_per_step(c, initial, s.time_step * s.units.time, s.damping);
+  start_clock(s.system, c);
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
-  StressTable table(recorder, s.units, c.output.tensors);
+  StressTable table(recorder, s.units, c.output.tensors, initial);
   const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
-  for (std::int64_t i = 0; i < steps; ++i) {
+  std::int64_t stopped_after = 0;
+  for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {
     const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
-    if (i % every == 0) recorder.frame(make_frame(s.system, evaluation));
+    if (i % every == 0) recorder.frame(frame_of(s, evaluation, rates));
     s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
-    if (!recorder.stop_requested()) continue;
-    recorder.final_state(s.system, evaluation);
-    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+    if (recorder.stop_requested()) stopped_after = i + 1;
   }
   const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
-  recorder.final_state(s.system, s.stepper->evaluate(s.system, rates));
+  table.finish(s.system, s.stepper->evaluate(s.system, rates));
+  if (stopped_after > 0)
+    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(stopped_after));
 }
 
 }  // namespace supple

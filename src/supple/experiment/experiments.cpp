@@ -1,7 +1,7 @@
 #include "supple/experiment/experiments.hpp"
 
 #include "supple/core/error.hpp"
-#include "supple/experiment/given_packing.hpp"
+#include "supple/experiment/adopt_state.hpp"
 
 namespace supple {
 
@@ -33,13 +33,15 @@ const Experiment& named(const std::string& name) {
 }  // namespace
 
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
-  check(c);
-  return named(c.general.experiment).derive(adopt_state(c, initial), initial);
+  const Case adopted = adopt_state(c, initial);
+  check(adopted);
+  return named(adopted.general.experiment).derive(adopted, initial);
 }
 
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
-  check(c);
-  named(c.general.experiment).run(adopt_state(c, initial), initial, recorder);
+  const Case adopted = adopt_state(c, initial);
+  check(adopted);
+  named(adopted.general.experiment).run(adopted, initial, recorder);
 }
 
 }  // namespace supple

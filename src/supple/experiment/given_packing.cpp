@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "supple/core/error.hpp"
 #include "supple/model/polygons.hpp"
 
 namespace supple {
@@ -38,26 +37,10 @@ void adopt_stiffness(Case& c, const ShapeStiffness& k, const Preferred& p) {
 
 }  // namespace
 
-Case adopt_state(Case c, const InitialState* initial) {
-  if (!initial) return c;
-  const System<2>& system = initial->system;
-  const bool bodies = !system.topology.begin.empty();
-  const std::string& file = c.initial.packing.empty() ? c.initial.state : c.initial.packing;
-  if (bodies && !is_deformable(c))
-    throw input_error(file + " holds deformable particles", "the case is about discs of microgels",
-                      "set physics = \"deformable\"");
-  if (!bodies && is_deformable(c))
-    throw input_error(file + " holds discs of microgels", "the case is about deformable particles",
-                      "start from a run of these, or from a packing");
-  if (!bodies) return c;
-  if (initial->contact) {
-    if (!c.is_given("contact.k_c")) c.contact.k_c = initial->contact->stiffness;
-    if (!c.is_given("bodies.stiffness")) c.bodies.stiffness = initial->contact->relative ? "relative" : "absolute";
-  }
+void adopt_stiffness(Case& c, const System<2>& system) {
   const auto& all = system.shape.stiffness;
   const auto soft = std::find_if(all.begin(), all.end(), is_soft);
   if (soft != all.end()) adopt_stiffness(c, *soft, preferred(system, static_cast<std::size_t>(soft - all.begin())));
-  return c;
 }
 
 void give_stiffness(const Case& c, System<2>& system) {

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "supple/contact/laws/harmonic.hpp"
+#include "supple/contact/walls.hpp"
+#include "supple/experiment/held_keys.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 #include "supple/model/units.hpp"
@@ -23,7 +25,8 @@ inline constexpr auto material_group = "material";
 /// Names in that group of what Harmonic holds.
 inline constexpr auto contact_stiffness = "contact_stiffness";
 inline constexpr auto contact_is_relative = "contact_is_relative";
-/// Group of a run for what else its continuation takes over: dt, cool_factor, applying_shear, reset_force_each_step.
+/// Group of a run for what else its continuation takes over: dt, cool_factor, reset_force_each_step,
+/// removed_stress.
 inline constexpr auto protocol_group = "protocol";
 
 /// visit(name, constant) for each; the names are those of the files.
@@ -40,16 +43,36 @@ void for_each_constant(Constants& c, Visit&& visit) {
   visit("keep_viscosity_coefficients_constant", c.keep_viscosity_coefficients_constant);
 }
 
+/// What else acts on deformable particles, beside the laws.
+struct Environment {
+  /// Walls at the lower and upper end of each direction that is not periodic.
+  std::array<std::array<bool, 2>, 2> stands{{{true, true}, {true, true}}};
+  Vec2 gravity{};
+
+  bool is_closed() const { return stands == Environment{}.stands; }
+};
+/// Group of a run for that.
+inline constexpr auto environment_group = "environment";
+/// visit(name, stands) for each wall; the names are those of the files.
+template <class AnyEnvironment, class Visit>
+void for_each_wall(AnyEnvironment& e, Visit&& visit) {
+  visit("left", e.stands[flow][0]);
+  visit("right", e.stands[flow][1]);
+  visit("floor", e.stands[gradient][0]);
+  visit("lid", e.stands[gradient][1]);
+}
+
 struct InitialState {
   Units units;
   System<2> system;
   std::optional<Evaluation<2>> evaluation;  ///< forces and torques carried over; no pair forces
   MaterialConstants material;
   std::optional<Harmonic> contact;  ///< law of deformable particles' contacts, where the file has it
+  HeldKeys keys;            ///< laws and sample by name, where the file has them
+  Environment environment;  ///< of deformable particles
   /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre, periods,
-  /// post.
+  /// post, removed_stress [Pa] (see JumpCorrection).
   std::map<std::string, double> protocol;
-  std::optional<bool> applying_shear;  ///< whether discs at the plates are captured by them
   bool reset_force_each_step = true;   ///< false: forces on discs that do not move pile up, as in the package
 };
 

@@ -106,22 +106,22 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   s.damping = protocol.damping;
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
-  StressTable table(recorder, s.units, c.output.tensors);
+  StressTable table(recorder, s.units, c.output.tensors, initial);
   FrameSchedule frames(protocol.rows, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
-    if (frames.due(i)) recorder.frame(make_frame(s.system, evaluation));
+    if (frames.due(i)) recorder.frame(frame_of(s, evaluation, rates));
     if (recorder.stop_requested()) {
-      recorder.final_state(s.system, evaluation);
+      table.finish(s.system, evaluation);
       throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));
     }
     if (i < protocol.steps) s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("oscillatory shear", i, protocol.steps);
   }
   const Evaluation<2>& last = s.stepper->evaluate(s.system, {});
-  recorder.final_state(s.system, last);
+  table.finish(s.system, last);
   record_moduli(table, protocol.windows, protocol.correction, recorder);
   record_counts(s.system, last, recorder);
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},

@@ -176,6 +176,17 @@ void check_initial(const InitialState* initial) {
     throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
 }
 
+bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
+
+/// What acts on particles of a state from outside: walls where its cell is not periodic, and gravity.
+void surround(const Case& c, const Environment& environment, Packing& p) {
+  p.field->external().gravity = environment.gravity;
+  if (is_periodic(p.system)) return;
+  WallLaw walls = wall_law(c);
+  walls.stands = environment.stands;
+  p.field->set_walls(walls);
+}
+
 /// Of all polygons and discs.
 double area_of_shapes(const System<2>& system) {
   const std::vector<double> areas = measure_shapes(system).area;
@@ -236,7 +247,9 @@ System<2> given_system(const Case& c, const InitialState& initial) {
 
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
   check_initial(initial);
-  return packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
+  Packing p = packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
+  if (initial) surround(c, initial->environment, p);
+  return p;
 }
 
 Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
@@ -246,6 +259,10 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
     throw input_error("the state to start from is periodic",
                       fmt::format("{} needs a box of walls", c.general.experiment),
                       "start from a run between walls, or from [bodies]");
+  if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec2{}))
+    throw input_error("the state to start from lies under gravity, or without some of the walls",
+                      fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
+                      "start from a run of it, or from [bodies]");
   const Enclosure walled{aspect_ratio, {false, false}};
   Packing p =
       packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
@@ -256,7 +273,7 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 }
 
 Packing make_periodic_packing(const Case& c, const InitialState* initial) {
-  if (initial && !(initial->system.box.periodic[0] && initial->system.box.periodic[1]))
+  if (initial && !is_periodic(initial->system))
     throw input_error("the state to start from lies between walls",
                       fmt::format("{} shrinks a periodic cell", c.general.experiment),
                       "start from a periodic packing");

@@ -130,6 +130,26 @@ Frame packing_frame(const Packing& packing, const PackingReport& r) {
   return frame;
 }
 
+namespace {
+
+/// Walls and gravity as they are now, for a continuation.
+void record_environment(const Packing& packing, Recorder& recorder) {
+  const Environment environment = environment_of(packing);
+  for_each_wall(environment, [&](const std::string& name, bool stands) {
+    recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"}, stands);
+  });
+  recorder.value(environment_group, {"gravity", "", "acceleration downward"}, -environment.gravity[gradient]);
+}
+
+}  // namespace
+
+Environment environment_of(const Packing& packing) {
+  Environment e;
+  if (const auto& walls = packing.field->walls()) e.stands = walls->stands;
+  e.gravity = packing.field->external().gravity;
+  return e;
+}
+
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings) {
   const PackingReport r = report_packing(packing);
@@ -168,12 +188,14 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
            static_cast<double>(progress.unconverged));
   }
   warn(r, progress, recorder);
+  record_environment(packing, recorder);
   recorder.final_state(packing.system, r.evaluation);
 }
 
 void hand_over(Packing& packing, Recorder& recorder) {
   Evaluation<2> evaluation;
   packing.field->evaluate(packing.system, Detail::energies, evaluation);
+  record_environment(packing, recorder);
   recorder.final_state(packing.system, evaluation);
 }
 

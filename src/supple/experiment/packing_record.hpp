@@ -56,6 +56,9 @@ enum class Surroundings { closed, open };
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings = Surroundings::closed);
 
+/// Walls and gravity of a packing as they are.
+Environment environment_of(const Packing& packing);
+
 /// The state as it is, for a run that ends early.
 void hand_over(Packing& packing, Recorder& recorder);
 

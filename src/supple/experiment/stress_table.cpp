@@ -46,8 +46,20 @@ std::vector<Column> columns(bool tensors) {
 
 }  // namespace
 
-StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors)
-    : recorder_(recorder), units_(units), tensors_(tensors) {
+namespace {
+
+constexpr auto removed_stress = "removed_stress";
+
+double removed_before(const InitialState* initial) {
+  if (!initial) return 0;
+  const auto at = initial->protocol.find(removed_stress);
+  return at == initial->protocol.end() ? 0 : at->second;
+}
+
+}  // namespace
+
+StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors, const InitialState* initial)
+    : recorder_(recorder), units_(units), tensors_(tensors), jumps_(removed_before(initial)) {
   recorder_.declare("stress", columns(tensors));
 }
 
@@ -71,6 +83,14 @@ void StressTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   periodic_.push_back(s.shear_periodic());
   virial_.push_back(s.shear_virial());
   pressure_.push_back(s.pressure());
+}
+
+void StressTable::finish(const System<2>& system, const Evaluation<2>& evaluation) {
+  jumps_.corrected(system, evaluation, stress_tensors(system, evaluation, units_.stress()), units_.stress());
+  recorder_.value(protocol_group,
+                  {removed_stress, "Pa", "jumps of the cut that were taken from the external stress so far"},
+                  jumps_.removed());
+  recorder_.final_state(system, evaluation);
 }
 
 }  // namespace supple

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
 #include "supple/model/units.hpp"
 #include "supple/observe/jump_correction.hpp"
@@ -11,10 +12,15 @@ namespace supple {
 /// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
 class StressTable {
  public:
-  /// with `tensors`, every component of every tensor, else the shear stresses alone.
-  StressTable(Recorder& recorder, const Units& units, bool tensors);
+  /// with `tensors`, every component of every tensor, else the shear stresses alone. The corrected external stress
+  /// goes on from that of `initial`.
+  StressTable(Recorder& recorder, const Units& units, bool tensors, const InitialState* initial);
   /// One row; the rate is that of this instant (a leapfrog's box keeps that of the step before).
   void append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate);
+
+  /// Hands over the last state, of the instant after the last row or of the last row itself, and what a continuation
+  /// of this table needs.
+  void finish(const System<2>& system, const Evaluation<2>& evaluation);
 
   const std::vector<double>& time() const { return time_; }
   const std::vector<double>& internal() const { return internal_; }

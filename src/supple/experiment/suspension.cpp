@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/frame.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/relaxation.hpp"
@@ -39,14 +40,13 @@ namespace {
 /// (E/5).
 double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
 
-/// From a state file: contacts remember; boundary and plates as the user or else the state says.
-void adopt_state(Suspension& s, const Case& c, const InitialState& initial) {
+/// From a state file: contacts remember; boundary and plates are those of the case, which has adopted the state's.
+void take_state(Suspension& s, const Case& c, const InitialState& initial) {
   s.system = initial.system;
   convert(s.system, initial.units, s.units);
   set_history_width(s.system.pairs, is_package(c) ? 2 : 1);
   if (c.is_given("box.boundary")) s.system.box.periodic = make_box(c, s.units).periodic;
-  const bool plates = initial.applying_shear.value_or(true) || c.is_given("box.plates");
-  const Plates kind = plates ? plates_of(c) : Plates::none;
+  const Plates kind = plates_of(c);
   s.stepper->set_plates(kind);
   if (kind == Plates::capture) return capture_at_boundaries(s.system, kind);
   for (Mobility& m : s.system.state.mobility)
@@ -101,7 +101,7 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   DiscDynamics& stepper = *dynamics;
   s.stepper = std::move(dynamics);
   if (initial) {
-    adopt_state(s, c, *initial);
+    take_state(s, c, *initial);
     return s;
   }
   const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
@@ -134,7 +134,7 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
   Suspension s{particleshear_units(),     {}, std::move(stepper), run.dt, run.damping,
                material_of(run.constants)};
   if (initial) {
-    adopt_state(s, c, *initial);
+    take_state(s, c, *initial);
     return s;
   }
   s.system = prepare_particleshear(c, run, package, [&](std::int64_t done, std::int64_t total) {
@@ -145,6 +145,19 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
 }
 
 }  // namespace
+
+Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates) {
+  Frame frame = make_frame(s.system, evaluation);
+  s.stepper->bring_to_instant(s.system, rates.now, frame.velocity, frame.spin);
+  frame.strain_rate = rates.now;
+  return frame;
+}
+
+void start_clock(System<2>& system, const Case& c) {
+  if (c.initial.keep_time) return;
+  system.time = 0;
+  system.step = 0;
+}
 
 bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
 
@@ -161,8 +174,6 @@ void record_constants(const Suspension& s, const InitialState* initial, const st
   };
   take_over("dt", "time step, in the units of the run", s.time_step);
   take_over("cool_factor", "factor per step on velocity relative to the flow", s.damping);
-  take_over("applying_shear", "1: plates take part, as the case says",
-            !initial || initial->applying_shear.value_or(true));
   take_over("reset_force_each_step", "0: forces on discs of the plates pile up, as in the package",
             !initial || initial->reset_force_each_step);
 }

@@ -1,10 +1,13 @@
 /// JSON files that are read with errors that say where. For .cpp files only: it includes the JSON library.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "supple/core/error.hpp"
+#include "supple/core/nearest_name.hpp"
 
 namespace supple {
 
@@ -25,6 +28,23 @@ class JsonNode {
     if (!value_.is_object()) throw fault("is not an object");
     if (!value_.contains(key)) throw fault("has no \"" + key + "\"");
     return {value_[key], where_ + separator_ + key, "."};
+  }
+  /// The names in an object.
+  std::vector<std::string> keys() const {
+    if (!value_.is_object()) throw fault("is not an object");
+    std::vector<std::string> out;
+    for (const auto& member : value_.items()) out.push_back(member.key());
+    return out;
+  }
+  const Json& json() const { return value_; }
+  /// Throws where the object has a key that is not among these.
+  void expect_only(const std::vector<std::string>& known) const {
+    for (const std::string& key : keys())
+      if (std::find(known.begin(), known.end(), key) == known.end()) {
+        const auto near = nearest_name(key, known);
+        throw fault("has an unknown key \"" + key + "\"" +
+                    (near ? "; did you mean \"" + *near + "\"?" : "; its keys are " + join_names(known)));
+      }
   }
   bool is_list() const { return value_.is_array(); }
   std::size_t size() const {

@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "supple/geometry/polygon.hpp"
-#include "supple/io/json_node.hpp"
+#include "supple/geometry/self_crossing.hpp"
+#include "supple/io/held_keys_json.hpp"
 #include "supple/model/polygons.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
 namespace {
-
-// ---- reading
-// ---------------------------------------------------------------------------------------------------------
 
 bool is_relative(const JsonNode& root, const char* key) {
   if (!root.has(key)) return true;
@@ -73,6 +71,8 @@ std::vector<Vec2> read_vertices(const JsonNode& x, const Box<2>& cell) {
       if (cell.periodic[d] && std::abs(edge[d]) > 0.5 * cell.length[d])
         throw x[k].fault("is more than half a cell from the next: vertices must be unwrapped");
   }
+  if (const auto crossing = find_self_crossing(vertices))
+    throw x.fault(fmt::format("crosses itself: the edges after vertices {} and {}", crossing->first, crossing->second));
   if (!(polygon_area(vertices) > 0)) throw x.fault("does not run counter-clockwise");
   return vertices;
 }
@@ -86,139 +86,132 @@ std::vector<double> read_numbers(const JsonNode& node, std::size_t n) {
   return out;
 }
 
-void read_particle(const JsonNode& particle, const ShapeSpec& spec, System<2>& system) {
+/// Of vertices, or else what they are now, where the particle is rigid and prefers nothing.
+struct Preferred {
+  double area = 0;
+  std::vector<double> lengths, angles;
+};
+
+Preferred preferred_as_it_is(const std::vector<Vec2>& vertices) {
+  Preferred p;
+  const std::size_t n = vertices.size();
+  p.area = polygon_area(vertices);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 in = vertices[k] - vertices[(k + n - 1) % n], out = vertices[(k + 1) % n] - vertices[k];
+    p.lengths.push_back(norm(out));
+    p.angles.push_back(std::atan2(cross(in, out), dot(in, out)));
+  }
+  return p;
+}
+
+Preferred read_preferred(const JsonNode& particle, std::size_t n, StiffnessKind kind) {
+  Preferred p;
+  p.area = particle.at("a0").positive();
+  const JsonNode l0 = particle.at("l0");
+  p.lengths = read_numbers(l0, n);
+  if (*std::min_element(p.lengths.begin(), p.lengths.end()) <= 0) throw l0.fault("is not positive");
+  if (kind == StiffnessKind::relative && l0.is_list())
+    throw l0.fault("is a list: relative stiffnesses need one length for all edges");
+  p.angles = read_numbers(particle.at("theta0"), n);
+  return p;
+}
+
+bool is_rigid(const JsonNode& particle) { return particle.has("rigid") && particle.at("rigid").truth(); }
+
+void add_particle(const JsonNode& particle, const ShapeSpec& spec, System<2>& system) {
   const double radius = 0.5 * particle.at("sigma").positive();
   const std::vector<Vec2> vertices = read_vertices(particle.at("x"), system.box);
-  if (vertices.size() == 1) return add_disc_body(system, vertices[0], radius);
-  const double a0 = particle.at("a0").positive();
-  const JsonNode l0 = particle.at("l0");
-  const std::vector<double> lengths = read_numbers(l0, vertices.size());
-  if (*std::min_element(lengths.begin(), lengths.end()) <= 0) throw l0.fault("is not positive");
-  if (spec.kind == StiffnessKind::relative && l0.is_list())
-    throw l0.fault("is a list: relative stiffnesses need one length for all edges");
-  const std::vector<double> angles = read_numbers(particle.at("theta0"), vertices.size());
-  const ShapeStiffness k = absolute_stiffness(spec, a0, lengths[0], static_cast<int>(vertices.size()));
-  add_ring(system, vertices, radius, k, a0, lengths, angles);
+  const std::size_t n = vertices.size();
+  if (n == 1 && is_rigid(particle)) throw particle.at("rigid").fault("of a disc, which is rigid anyway");
+  if (n == 1) return add_disc_body(system, vertices[0], radius);
+  const bool rigid = is_rigid(particle);
+  const bool given = !rigid || particle.has("a0") || particle.has("l0") || particle.has("theta0");
+  const Preferred p = given ? read_preferred(particle, n, rigid ? StiffnessKind::absolute : spec.kind)
+                            : preferred_as_it_is(vertices);
+  const ShapeStiffness k =
+      rigid ? ShapeStiffness{} : absolute_stiffness(spec, p.area, p.lengths[0], static_cast<int>(n));
+  add_ring(system, vertices, radius, k, p.area, p.lengths, p.angles);
 }
 
-// ---- writing
-// ---------------------------------------------------------------------------------------------------------
-
-[[noreturn]] void refuse(const std::string& why) { throw input_error("cannot write this packing as JSON", why); }
-
-std::span<const double> rests_of(const std::vector<double>& rest, const std::vector<std::int32_t>& begin, int b) {
-  return {&rest[begin[b]], static_cast<std::size_t>(begin[b + 1] - begin[b])};
+void read_particle(const JsonNode& particle, const ShapeSpec& spec, StoredPacking& packing) {
+  particle.expect_only({"sigma", "x", "a0", "l0", "theta0", "rigid", "v", "sticks"});
+  System<2>& system = packing.system;
+  const int first = system.state.size();
+  add_particle(particle, spec, system);
+  const auto n = static_cast<std::size_t>(system.state.size() - first);
+  const auto list = [&](const char* key) {
+    const JsonNode values = particle.at(key);
+    if (values.size() != n) throw values.fault(fmt::format("has {} entries for {} vertices", values.size(), n));
+    return values;
+  };
+  if (particle.has("v"))
+    for (std::size_t k = 0; k < n; ++k) system.state.velocity[first + k] = read_vector(list("v")[k]);
+  system.floor_contact.resize(first + n, std::numeric_limits<double>::quiet_NaN());
+  if (particle.has("sticks"))
+    for (std::size_t k = 0; k < n; ++k)
+      if (const JsonNode at = list("sticks")[k]; !at.json().is_null()) system.floor_contact[first + k] = at.number();
+  if (is_rigid(particle)) make_rigid(system, system.topology.body_count(system.state.size()) - 1);
 }
 
-bool all_equal(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [&](double v) { return v == values[0]; });
-}
-
-/// The stiffness of body b as a file of this kind has it; nothing where the kind cannot say it.
-std::optional<ShapeSpec> spec_of(const System<2>& system, int b, StiffnessKind kind) {
-  const ShapeStiffness& k = system.shape.stiffness[b];
-  ShapeSpec spec{k.volume, k.facet, k.hinge, k.tension, kind};
-  if (kind == StiffnessKind::absolute) return spec;
-  const std::span<const double> lengths = rests_of(system.shape.rest_facet, system.topology.facet_begin, b);
-  if (!all_equal(lengths)) return std::nullopt;
-  const double a0 = system.shape.rest_volume[b], l0 = lengths[0];
-  spec.area *= a0 * a0;
-  spec.length *= l0 * l0;
-  spec.tension *= static_cast<double>(lengths.size()) * l0;
-  return spec;
-}
-
-bool nearly_equal(const ShapeSpec& a, const ShapeSpec& b) {
-  const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
-  return near(a.area, b.area) && near(a.length, b.length) && near(a.bending, b.bending) && near(a.tension, b.tension);
-}
-
-/// The stiffness that all polygons share.
-std::optional<ShapeSpec> common_spec(const System<2>& system, StiffnessKind kind) {
-  std::optional<ShapeSpec> common;
-  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
-    if (system.topology.body_size(b) < 3) continue;
-    const std::optional<ShapeSpec> own = spec_of(system, b, kind);
-    if (!own || (common && !nearly_equal(*own, *common))) return std::nullopt;
-    if (!common) common = own;
+Environment read_environment(const JsonNode& root, const Box<2>& cell) {
+  Environment e;
+  if (root.has("walls")) {
+    const JsonNode walls = root.at("walls");
+    std::vector<std::string> names, standing;
+    for_each_wall(e, [&](const char* name, bool) { names.emplace_back(name); });
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      standing.push_back(walls[k].text());
+      if (std::find(names.begin(), names.end(), standing.back()) == names.end())
+        throw walls[k].fault("is \"" + standing.back() + "\", not one of " + join_names(names));
+    }
+    for_each_wall(e, [&](const std::string& name, bool& stands) {
+      stands = std::find(standing.begin(), standing.end(), name) != standing.end();
+    });
   }
-  return common ? common : ShapeSpec{0, 0, 0, 0, kind};
-}
-
-/// A product of squares and their inverses, back at the short number that it was made of.
-double shortened(double k) {
-  const double round = std::stod(fmt::format("{:.12g}", k));
-  return std::abs(round - k) <= 1e-15 * std::abs(k) ? round : k;
-}
-
-Json number_or_list(std::span<const double> values) {
-  if (all_equal(values)) return values[0];
-  return std::vector<double>(values.begin(), values.end());
-}
-
-Json particle_json(const System<2>& system, int b) {
-  const int begin = system.topology.body_begin(b), end = system.topology.body_end(b);
-  for (int i = begin + 1; i < end; ++i)
-    if (system.state.radius[i] != system.state.radius[begin]) refuse("a body has vertices of different sizes");
-  Json particle{{"sigma", 2 * system.state.radius[begin]}};
-  Json& x = particle["x"] = Json::array();
-  for (int i = begin; i < end; ++i) x.push_back({system.state.position[i][0], system.state.position[i][1]});
-  if (end - begin == 1) return particle;
-  particle["a0"] = system.shape.rest_volume[b];
-  particle["l0"] = number_or_list(rests_of(system.shape.rest_facet, system.topology.facet_begin, b));
-  particle["theta0"] = number_or_list(rests_of(system.shape.rest_hinge, system.topology.hinge_begin, b));
-  return particle;
-}
-
-void write_spec(const ShapeSpec& spec, Json& root) {
-  root["k_a"] = shortened(spec.area);
-  root["k_l"] = shortened(spec.length);
-  root["k_b"] = spec.bending;
-  if (spec.tension != 0) root["gamma"] = shortened(spec.tension);
-  if (spec.kind == StiffnessKind::absolute) root["stiffness"] = "absolute";
-}
-
-void write_cell(const Box<2>& cell, Json& root) {
-  if (cell.length[0] == cell.length[1]) root["box"] = cell.length[0];
-  else root["box"] = {cell.length[0], cell.length[1]};
-  if (cell.strain != 0) root["strain"] = cell.strain;
-  if (!cell.periodic[0] || !cell.periodic[1]) root["periodic"] = {cell.periodic[0], cell.periodic[1]};
+  if (!root.has("gravity")) return e;
+  const JsonNode gravity = root.at("gravity");
+  if (gravity.number() < 0) throw gravity.fault("is negative: it is the acceleration downward");
+  if (gravity.number() > 0 && cell.periodic[gradient]) throw gravity.fault("in a cell that is periodic along y");
+  e.gravity[gradient] = -gravity.number();
+  return e;
 }
 
 }  // namespace
+
+InitialState as_initial(StoredPacking packing) {
+  InitialState initial;
+  initial.units = reduced_units();
+  initial.system = std::move(packing.system);
+  initial.contact = packing.contact;
+  initial.keys = std::move(packing.keys);
+  initial.environment = packing.environment;
+  return initial;
+}
+
+StoredPacking as_packing(const InitialState& state) {
+  return {state.system, state.contact.value_or(Harmonic{}), state.keys, state.environment};
+}
 
 StoredPacking read_packing_json(const std::string& path) {
   const Json json = parse_json(path, "a packing");
   const JsonNode root(json, path);
   StoredPacking packing;
+  if (root.has("params") && !root.has("particles"))
+    throw root.fault("is a state of discs of microgels: start from it by initial.state, not initial.packing;");
+  root.expect_only({"k_a", "k_l", "k_b", "gamma", "k_c", "stiffness", "contact_stiffness", "box", "periodic", "strain",
+                    "walls", "gravity", held_keys_name, "particles", "name", "comment", "convention", "phi_reported",
+                    "expected"});
   packing.system.box = read_cell(root);
+  packing.keys = read_held_keys(root);
+  packing.environment = read_environment(root, packing.system.box);
   packing.contact = {stiffness(root.at("k_c")), is_relative(root, "contact_stiffness")};
   const ShapeSpec spec = read_spec(root);
   const JsonNode particles = root.at("particles");
   if (particles.size() == 0) throw particles.fault("is empty");
-  for (std::size_t b = 0; b < particles.size(); ++b) read_particle(particles[b], spec, packing.system);
+  for (std::size_t b = 0; b < particles.size(); ++b) read_particle(particles[b], spec, packing);
+  std::vector<double>& floor = packing.system.floor_contact;
+  if (std::all_of(floor.begin(), floor.end(), [](double at) { return std::isnan(at); })) floor.clear();
   return packing;
-}
-
-void write_packing_json(const StoredPacking& packing, const std::string& path, Existing existing) {
-  const System<2>& system = packing.system;
-  if (system.shape.empty()) refuse("its bodies have no preferred shapes");
-  if (!system.rigid.empty()) refuse("it has rigid bodies");
-  std::optional<ShapeSpec> spec = common_spec(system, StiffnessKind::relative);
-  if (!spec) spec = common_spec(system, StiffnessKind::absolute);
-  if (!spec) refuse("its bodies have different stiffnesses");
-  Json root;
-  write_spec(*spec, root);
-  root["k_c"] = packing.contact.stiffness;
-  if (!packing.contact.relative) root["contact_stiffness"] = "absolute";
-  write_cell(system.box, root);
-  Json& particles = root["particles"] = Json::array();
-  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b)
-    particles.push_back(particle_json(system, b));
-  NewFile file(path, existing);
-  file.write(root.dump(1));
-  file.write("\n");
-  file.commit();
 }
 
 }  // namespace supple

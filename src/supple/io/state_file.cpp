@@ -7,7 +7,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/io/hdf5.hpp"
-#include "supple/io/json_node.hpp"
+#include "supple/io/held_keys_json.hpp"
 #include "supple/io/path_kind.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/model/convert.hpp"
@@ -17,7 +17,8 @@ namespace {
 
 using Node = JsonNode;
 
-constexpr const char* protocol_numbers[] = {"dt", "cool_factor", "steps", "f", "amplitude", "pre", "periods", "post"};
+constexpr const char* protocol_numbers[] = {"dt",  "cool_factor", "steps", "f",             "amplitude",
+                                            "pre", "periods",     "post",  "removed_stress"};
 
 // ---- reading -----------------------------------------------------------------------------------------------------
 
@@ -115,9 +116,24 @@ void read_neighbors(const Node& lists, System<2>& system) {
   for (std::size_t i = 1; i < pairs.begin.size(); ++i) pairs.begin[i] += pairs.begin[i - 1];
 }
 
+bool holds(const HeldKeys& keys, const std::string& key, const KeyValue& value) {
+  const auto at = keys.find(key);
+  return at != keys.end() && at->second == value;
+}
+
+/// Laws and sample by name: those of the file, and what the layout of the package says in its own way.
+HeldKeys read_keys(const Node& root, const Node& params) {
+  HeldKeys keys = read_held_keys(root);
+  if (params.has("applyingShear"))
+    keys.emplace("box.plates", params.at("applyingShear").truth() ? "capture" : "none");
+  return keys;
+}
+
 InitialState read_json(const std::string& path) {
   const Json json = parse_json(path, "a state");
   const Node root(json, path);
+  if (root.has("particles") && !root.has("initial"))
+    throw root.fault("is a packing of deformable particles: start from it by initial.packing, not initial.state;");
   InitialState out;
   out.units = particleshear_units();
 
@@ -128,19 +144,21 @@ InitialState read_json(const std::string& path) {
     if constexpr (std::is_same_v<T, bool>) constant = params.at(name).truth();
     else constant = params.at(name).number();
   });
-  if (params.has("applyingShear")) out.applying_shear = params.at("applyingShear").truth();
+  out.keys = read_keys(root, params);
   if (root.has("reset_force_each_step")) out.reset_force_each_step = root.at("reset_force_each_step").truth();
   for (const char* name : protocol_numbers)
     if (root.has(name)) out.protocol[name] = root.at(name).number();
 
   const Node initial = root.at("initial");
   out.system.time = initial.at("t").number();
+  if (initial.has("lag")) out.system.lag = initial.at("lag").number();
   out.system.box.strain = initial.at("shear").number();
   out.system.box.strain_rate = initial.at("shear_rate").number();
   read_spheres(initial.at("spheres"), out);
   read_neighbors(initial.at("neighbors"), out.system);
   State<2>& state = out.system.state;
-  if (out.applying_shear.value_or(false))
+  if (holds(out.keys, "box.boundary", "fixed")) out.system.box.periodic = {false, false};
+  else if (holds(out.keys, "box.plates", "capture") && !holds(out.keys, "box.boundary", "periodic"))
     for (std::size_t i = 0; i < state.radius.size(); ++i)
       state.mobility[i] = mobility_at(state.position[i][gradient], state.radius[i], out.system.box.length[gradient]);
   return out;
@@ -158,9 +176,15 @@ InitialState read_run(const std::string& path) {
   });
   if (const auto stiffness = run.find_value(material_group, contact_stiffness))
     out.contact = Harmonic{*stiffness, run.value(material_group, contact_is_relative) != 0};
+  out.keys = held_keys(run.resolved_case());
+  for_each_wall(out.environment, [&](const char* name, bool& stands) {
+    if (const auto value = run.find_value(environment_group, name)) stands = *value != 0;
+  });
+  if (const auto g = run.find_value(environment_group, "gravity")) out.environment.gravity[gradient] = -*g;
   for (const RunValue& v : run.values(protocol_group)) {
-    if (v.name.name == "applying_shear") out.applying_shear = v.value != 0;
-    else if (v.name.name == "reset_force_each_step") out.reset_force_each_step = v.value != 0;
+    if (v.name.name == "applying_shear") {  // as older versions wrote it
+      if (v.value == 0) out.keys["box.plates"] = "none";
+    } else if (v.name.name == "reset_force_each_step") out.reset_force_each_step = v.value != 0;
     else out.protocol[v.name.name] = v.value;
   }
   return out;
@@ -227,7 +251,7 @@ void write_state_json(const InitialState& state, const std::string& path, Existi
   Json params{{"size_x", system.box.length[0]}, {"size_y", system.box.length[1]}};
   const MaterialConstants material = converted(state.material, state.units, particleshear_units());
   for_each_constant(material, [&](const char* name, const auto& constant) { if (constant) params[name] = *constant; });
-  if (state.applying_shear) params["applyingShear"] = *state.applying_shear;
+  if (state.keys.count("box.plates") > 0) params["applyingShear"] = holds(state.keys, "box.plates", "capture");
 
   Json spheres = Json::array();
   for (std::size_t i = 0; i < system.state.radius.size(); ++i) {
@@ -236,8 +260,10 @@ void write_state_json(const InitialState& state, const std::string& path, Existi
   }
   Json root{{"params", params},
             {"reset_force_each_step", state.reset_force_each_step},
-            {"initial", {{"t", system.time}, {"shear", system.box.strain}, {"shear_rate", system.box.strain_rate},
+            {"initial", {{"t", system.time}, {"lag", system.lag},
+                         {"shear", system.box.strain}, {"shear_rate", system.box.strain_rate},
                          {"spheres", spheres}, {"neighbors", neighbors_json(system)}}}};
+  if (!state.keys.empty()) root[held_keys_name] = held_keys_json(state.keys);
   for (const auto& [name, value] : state.protocol) root[name] = value;
   NewFile file(path, existing);
   file.write(root.dump(1));

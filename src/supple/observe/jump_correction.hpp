@@ -13,6 +13,8 @@ namespace supple {
 /// is that of the first cut: it drifts as discs migrate, and a disc that comes back brings its jump of that instant.
 class JumpCorrection {
  public:
+  /// Goes on from a series from which jumps of this sum were removed already.
+  explicit JumpCorrection(double removed = 0) : removed_(removed) {}
   /// External shear stress without the jumps so far, in the unit of `tensors` (`unit` as in stress_tensors). Call it
   /// at every step: a disc must not move by half a cell between two calls.
   double corrected(const System<2>& system, const Evaluation<2>& evaluation, const StressTensors& tensors,
@@ -23,7 +25,7 @@ class JumpCorrection {
 
  private:
   std::vector<Vec2> before_;  ///< positions at the last call
-  double removed_ = 0;
+  double removed_;
 };
 
 }  // namespace supple

@@ -92,6 +92,25 @@ const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system) {
   return evaluation_;
 }
 
+void DiscDynamics::bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
+                                    std::vector<double>& spin) const {
+  const State<2>& s = system.state;
+  const Box<2>& box = system.box;
+  const double half = 0.5 * system.lag, change = rate_now - box.strain_rate, height = box.length[gradient];
+  for (int i = 0; i < s.size(); ++i) {
+    spin[i] += half / s.inertia[i] * evaluation_.torque[i] - 0.5 * change;
+    switch (s.mobility[i]) {
+      case Mobility::free:
+        velocity[i] += half / s.mass[i] * evaluation_.force[i];
+        velocity[i][flow] += (s.position[i][gradient] - 0.5 * height) * change;
+        break;
+      case Mobility::lower_plate: velocity[i] = {-0.5 * rate_now * height, 0}; break;
+      case Mobility::upper_plate: velocity[i] = {0.5 * rate_now * height, 0}; break;
+      case Mobility::fixed: velocity[i] = {}; break;
+    }
+  }
+}
+
 void DiscDynamics::set_plates(Plates plates) {
   plates_ = plates;
   forces_.set_repulsive_plates(plates == Plates::repulsive);

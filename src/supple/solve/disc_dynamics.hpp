@@ -14,6 +14,9 @@ class DiscDynamics : public Stepper {
   explicit DiscDynamics(ForceField forces) : forces_(std::move(forces)) {}
 
   const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) override;
+  /// v(t) = v(t - dt/2) + F(t)/m dt/2, and spins alike; relative to the flow of that instant.
+  void bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
+                        std::vector<double>& spin) const override;
   void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
   /// The same as evaluate() with energies, dissipated power and virial.
   const Evaluation<2>& evaluate_energies(System<2>& system);

@@ -1,5 +1,7 @@
 /// How a system moves in time: one interface, so that an experiment reads the same in both fidelities.
 #pragma once
+#include <vector>
+
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
@@ -21,6 +23,13 @@ class Stepper {
   /// From the present instant to dt later, evaluate() having been called; `damping` multiplies, once, velocity
   /// relative to the flow and spin. Throws a numerics error that names step and disc if a value is not finite.
   virtual void advance(System<2>& system, ShearRates rates, double dt, double damping) = 0;
+
+  /// Velocities and spins at the instant of the positions, after evaluate(); the flow is that of `rate_now`. A stepper
+  /// whose velocities are of that instant changes nothing.
+  virtual void bring_to_instant(const System<2>&, double rate_now, std::vector<Vec2>& velocity,
+                                std::vector<double>& spin) const {
+    (void)rate_now, (void)velocity, (void)spin;
+  }
 
   virtual void set_friction(double coefficient) = 0;
   virtual double friction() const = 0;

@@ -1,0 +1,137 @@
+#include "supple/experiment/held_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+namespace {
+
+/// visit(key, field, section) for every parameter.
+template <class AnyCase, class Visit>
+void for_each_key(AnyCase& c, Visit&& visit) {
+  for_each_section(c, [&](const std::string& section, auto& values) {
+    for (const auto& field : fields<std::decay_t<decltype(values)>>())
+      visit((section.empty() ? "" : section + ".") + std::string(field.name), field, values);
+  });
+}
+
+template <class Field, class Section>
+KeyValue value_of(const Field& field, const Section& section) {
+  return std::visit(
+      [&](auto member) -> KeyValue {
+        using Value = std::decay_t<decltype(section.*member)>;
+        if constexpr (std::is_same_v<Value, int>) return static_cast<std::int64_t>(section.*member);
+        else return section.*member;
+      },
+      field.member);
+}
+
+template <class Field, class Section>
+void assign(const Field& field, Section& section, const KeyValue& value) {
+  std::visit(
+      [&](auto member) {
+        using Value = std::decay_t<decltype(section.*member)>;
+        std::visit(
+            [&](const auto& v) {
+              if constexpr (std::is_convertible_v<decltype(v), Value>) section.*member = static_cast<Value>(v);
+            },
+            value);
+      },
+      field.member);
+}
+
+bool is_held(Role role) { return role == Role::law || role == Role::sample; }
+
+/// Numbers to the rounding of units.
+bool same(const KeyValue& a, const KeyValue& b) {
+  const auto number = [](const KeyValue& v) -> std::optional<double> {
+    if (const auto* x = std::get_if<double>(&v)) return *x;
+    if (const auto* n = std::get_if<std::int64_t>(&v)) return static_cast<double>(*n);
+    return std::nullopt;
+  };
+  const auto x = number(a), y = number(b);
+  if (x && y) return std::abs(*x - *y) <= 1e-9 * std::abs(*y);
+  return a == b;
+}
+
+}  // namespace
+
+std::string shown(const KeyValue& value) {
+  return std::visit(
+      [](const auto& v) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) return fmt::format("\"{}\"", v);
+        else return fmt::format("{}", v);
+      },
+      value);
+}
+
+HeldKeys held_keys(const Case& c) {
+  const std::vector<std::string> read = sections_of(c);
+  HeldKeys keys;
+  for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
+    const auto dot = key.find('.');
+    const std::string of = dot == key.npos ? "" : key.substr(0, dot);
+    if (is_held(field.role) && std::find(read.begin(), read.end(), of) != read.end())
+      keys[key] = value_of(field, section);
+  });
+  return keys;
+}
+
+HeldKeys laws_of(const HeldKeys& keys) {
+  HeldKeys laws;
+  const Case c;
+  for_each_key(c, [&](const std::string& key, const auto& field, const auto&) {
+    const auto at = keys.find(key);
+    if (field.role == Role::law && at != keys.end()) laws.insert(*at);
+  });
+  return laws;
+}
+
+HeldKeys given_as_held(const Case& c) {
+  HeldKeys keys;
+  for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
+    if (!c.is_given(key)) return;
+    if (!is_held(field.role))
+      throw input_error(fmt::format("{} is no key that a state holds", key),
+                        field.role == Role::number ? "the state has it as numbers of its own"
+                                                   : "it says how a run goes",
+                        "give it in the case");
+    keys[key] = value_of(field, section);
+  });
+  return keys;
+}
+
+void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std::string& file) {
+  std::vector<std::string> problems;
+  const auto find = [](const HeldKeys& keys, const std::string& key) -> std::optional<KeyValue> {
+    const auto at = keys.find(key);
+    return at == keys.end() ? std::nullopt : std::optional(at->second);
+  };
+  for_each_key(c, [&](const std::string& key, const auto& field, auto& section) {
+    if (!is_held(field.role)) return;
+    const std::optional<KeyValue> by_name = find(held, key), of_system = find(known, key);
+    if (!c.is_given(key)) {
+      if (by_name || of_system) assign(field, section, by_name ? *by_name : *of_system);
+      return;
+    }
+    const KeyValue given = value_of(field, section);
+    const auto confirms = [&](const std::optional<KeyValue>& value) { return value && same(given, *value); };
+    if (field.role == Role::law || confirms(by_name) || confirms(of_system)) return;
+    const std::string why =
+        by_name || of_system
+            ? fmt::format("{} holds particles of {}", file, shown(by_name ? *by_name : *of_system))
+            : fmt::format("the particles are those of {}", file);
+    problems.push_back(input_error(fmt::format("{} = {}", key, shown(given)), why, "leave the key away").what());
+  });
+  if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
+}
+
+}  // namespace supple

@@ -1,0 +1,206 @@
+/// What a user can go on with: each experiment from each kind of file either goes on right or is refused with a reason.
+#include <gmock/gmock.h>
+
+#include "supple/experiment/adopt_state.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/io/case_file.hpp"
+#include "supple/io/file_recorder.hpp"
+#include "supple/io/packing_file.hpp"
+#include "supple/io/state_file.hpp"
+#include "tests/io/temporary_folder.hpp"
+
+namespace supple {
+namespace {
+
+using namespace supple::testing;
+using ::testing::HasSubstr;
+
+Case case_of(const std::string& text) {
+  Case c = read_case_text(text, "case.toml");
+  resolve_family(c);
+  return c;
+}
+
+/// Files of every kind, made once.
+class ContinuationMatrix : public TemporaryFolder {
+ protected:
+  InitialState load(const std::string& name) const {
+    return name.ends_with("_packing.json") ? as_initial(read_packing_json(in_folder(name)))
+                                           : read_state(in_folder(name));
+  }
+  /// Runs the case from `state` (a name of this folder; empty: from nothing) into `name`, as the command does.
+  void record(const std::string& name, Case c, const std::string& state = "") const {
+    std::optional<InitialState> initial;
+    if (!state.empty()) initial = load(state);
+    const InitialState* from = initial ? &*initial : nullptr;
+    FileRecorder recorder(in_folder(name), adopt_state(c, from), "", Existing::replace);
+    run(c, from, recorder);
+    recorder.finish("complete");
+  }
+  /// The JSON of a run beside it; its name.
+  std::string exported(const std::string& name) const {
+    const InitialState state = load(name);
+    const bool bodies = !state.system.topology.begin.empty();
+    const std::string json = name.substr(0, name.find('.')) + (bodies ? "_packing.json" : "_state.json");
+    if (bodies) write_packing_json(as_packing(state), in_folder(json), Existing::replace);
+    else write_state_json(state, in_folder(json), Existing::replace);
+    return json;
+  }
+  /// Forces of `state` as a run finds them that does not move it.
+  Evaluation<2> forces_from(const std::string& state) const {
+    const InitialState initial = load(state);
+    MemoryRecorder recorder;
+    run(case_of("experiment = \"dynamics\"\n[time]\nsteps = 0\n"), &initial, recorder);
+    return recorder.last_evaluation;
+  }
+  void expect_same_forces(const std::string& run_name) const {
+    const InitialState whole = load(run_name);
+    const Evaluation<2> of_run = forces_from(run_name), of_json = forces_from(exported(run_name));
+    ASSERT_TRUE(whole.evaluation);
+    double largest = 0;
+    for (const Vec2& f : whole.evaluation->force) largest = std::max(largest, norm(f));
+    EXPECT_GT(largest, 0);
+    // Rounding of the JSON's numbers is that of a length of the cell, times the stiffness of a contact.
+    const double stiff = whole.material.k ? *whole.material.k * whole.system.box.length[0] : 1;
+    for (std::size_t i = 0; i < of_run.force.size(); ++i) {
+      EXPECT_EQ(of_run.force[i], whole.evaluation->force[i]) << run_name << " " << i;
+      EXPECT_NEAR(norm(of_run.force[i] - of_json.force[i]) / stiff, 0, 1e-12) << run_name << " " << i;
+    }
+  }
+
+  void make_files() const {
+    record("jam.h5", case_of(R"(experiment = "jamming"
+[bodies]
+N = 8
+vertices = 8
+[contact]
+kind = "smooth"
+[jamming]
+packing_fraction = 0.5
+step = 0.01
+pressure = 1e-3)"));
+    record("rigid.h5", case_of(R"(experiment = "jamming"
+[bodies]
+family = "rough_disc"
+N = 8
+vertices = 8
+[jamming]
+packing_fraction = 0.5
+step = 0.01
+pressure = 1e-3)"));
+    record("box.h5", case_of(R"(experiment = "uniaxial_compression"
+[bodies]
+N = 6
+vertices = 8
+[contact]
+k_p = 2
+[uniaxial]
+strain = 0.02
+step = 0.01)"));
+    record("heap.h5", case_of(R"(experiment = "slump"
+[bodies]
+N = 5
+vertices = 8
+[contact]
+floor_friction = 0.3
+[slump]
+gravity = 1e-3
+width = 3
+settle_time = 12
+spread_time = 2)"));
+    // The package's velocities follow the shear rate when forces are evaluated: it rests.
+    for (const std::string physics : {"documented", "particleshear-1.0.2"})
+      record(physics == "documented" ? "gel.h5" : "package.h5",
+             case_of("experiment = \"dynamics\"\nphysics = \"" + physics + R"("
+[material]
+elastic_law = "plateau"
+tensile_law = "saturating"
+[particles]
+N = 24
+cut_lines = 0
+[box]
+plates = "none"
+[shear]
+rate = ")" + (physics == "documented" ? "2000*cos(3000*t)" : "0") + R"("
+[time]
+steps = 60)"));
+  }
+};
+
+TEST_F(ContinuationMatrix, EachStateActsAsItDid) {
+  make_files();
+  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "package.h5"})
+    expect_same_forces(file);
+}
+
+TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
+  make_files();
+  const std::string discs = "oscillatory_shear is about discs", microgel = "holds discs of microgels",
+                    periodic = "is periodic", walls = "lies between walls", open = "lies under gravity";
+  // One column for each experiment; empty: it goes on.
+  const std::vector<std::string> experiments{"oscillatory_shear", "dynamics", "jamming", "compression",
+                                             "uniaxial_compression", "slump"};
+  const std::map<std::string, std::vector<std::string>> matrix{
+      {"gel.h5", {"", "", microgel, microgel, microgel, microgel}},
+      {"package.h5", {"", "", microgel, microgel, microgel, microgel}},
+      {"jam.h5", {discs, "", "", "", periodic, ""}},
+      {"rigid.h5", {discs, "", "", "", periodic, ""}},
+      {"box.h5", {discs, "", walls, walls, "", ""}},
+      {"heap.h5", {discs, "", walls, walls, open, ""}}};
+  for (const auto& [run_name, reasons] : matrix)
+    for (const std::string& file : {run_name, exported(run_name)})
+      for (std::size_t k = 0; k < experiments.size(); ++k) {
+        Case c = case_of("experiment = \"" + experiments[k] + "\"\n[time]\nsteps = 3\n");
+        (file.ends_with("_packing.json") ? c.initial.packing : c.initial.state) = file;
+        resolve_family(c);
+        const InitialState initial = load(file);
+        std::string error;
+        try {
+          derive(c, &initial);
+        } catch (const Error& e) {
+          EXPECT_EQ(e.kind(), ErrorKind::input);
+          error = e.what();
+        }
+        if (reasons[k].empty()) EXPECT_EQ(error, "") << file << " to " << experiments[k];
+        else EXPECT_THAT(error, HasSubstr(k == 0 && file.ends_with("_packing.json") ? "about discs" : reasons[k]))
+            << file << " to " << experiments[k];
+      }
+}
+
+TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {
+  make_files();
+  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "package.h5"}) {
+    const auto steps = [&](int n) {
+      return case_of("experiment = \"dynamics\"\n[initial]\nkeep_time = true\n[time]\nsteps = " + std::to_string(n));
+    };
+    record("whole.h5", steps(40), file);
+    record("first.h5", steps(15), file);
+    record("second.h5", steps(25), "first.h5");
+    const InitialState a = load("whole.h5"), b = load("second.h5");
+    EXPECT_EQ(a.system.state.position, b.system.state.position) << file;
+    EXPECT_EQ(a.system.state.velocity, b.system.state.velocity) << file;
+    EXPECT_EQ(a.system.time, b.system.time) << file;
+    EXPECT_EQ(a.system.step, b.system.step) << file;
+    EXPECT_EQ(a.evaluation->force, b.evaluation->force) << file;
+    EXPECT_EQ(a.keys, b.keys) << file;
+    EXPECT_EQ(a.protocol, b.protocol) << file << ": the sum of removed jumps, too";
+    EXPECT_EQ(a.environment.stands, b.environment.stands) << file;
+  }
+}
+
+TEST_F(ContinuationMatrix, AHeapKeepsItsWallsWeightFrictionAndDrag) {
+  make_files();
+  for (const std::string& file : {std::string("heap.h5"), exported("heap.h5")}) {
+    const InitialState initial = load(file);
+    EXPECT_FALSE(initial.environment.stands[flow][1]) << "the right wall was taken away";
+    EXPECT_FALSE(initial.environment.stands[gradient][1]);
+    EXPECT_EQ(initial.environment.gravity, (Vec2{0, -1e-3}));
+    const Case c = adopt_state(case_of("experiment = \"dynamics\"\n"), &initial);
+    EXPECT_EQ(c.contact.floor_friction, 0.3);
+    EXPECT_NEAR(c.motion.damping, std::sqrt(1e-3), 1e-15);
+    EXPECT_EQ(c.general.physics, "deformable");
+  }
+}
+
+}  // namespace
+}  // namespace supple
