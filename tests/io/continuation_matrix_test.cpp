@@ -1,13 +1,5 @@
 /// What a user can go on with: each experiment from each kind of file either goes on right or is refused with a reason.
-#include <gmock/gmock.h>
-
-#include "supple/experiment/adopt_state.hpp"
-#include "supple/experiment/experiments.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/packing_file.hpp"
-#include "supple/io/state_file.hpp"
-#include "tests/io/temporary_folder.hpp"
+#include "tests/io/continued_run.hpp"
 
 namespace supple {
 namespace {
@@ -15,37 +7,9 @@ namespace {
 using namespace supple::testing;
 using ::testing::HasSubstr;
 
-Case case_of(const std::string& text) {
-  Case c = read_case_text(text, "case.toml");
-  resolve_family(c);
-  return c;
-}
-
 /// Files of every kind, made once.
-class ContinuationMatrix : public TemporaryFolder {
+class ContinuationMatrix : public ContinuedRun {
  protected:
-  InitialState load(const std::string& name) const {
-    return name.ends_with("_packing.json") ? as_initial(read_packing_json(in_folder(name)))
-                                           : read_state(in_folder(name));
-  }
-  /// Runs the case from `state` (a name of this folder; empty: from nothing) into `name`, as the command does.
-  void record(const std::string& name, Case c, const std::string& state = "") const {
-    std::optional<InitialState> initial;
-    if (!state.empty()) initial = load(state);
-    const InitialState* from = initial ? &*initial : nullptr;
-    FileRecorder recorder(in_folder(name), adopt_state(c, from), "", Existing::replace);
-    run(c, from, recorder);
-    recorder.finish("complete");
-  }
-  /// The JSON of a run beside it; its name.
-  std::string exported(const std::string& name) const {
-    const InitialState state = load(name);
-    const bool bodies = !state.system.topology.begin.empty();
-    const std::string json = name.substr(0, name.find('.')) + (bodies ? "_packing.json" : "_state.json");
-    if (bodies) write_packing_json(as_packing(state), in_folder(json), Existing::replace);
-    else write_state_json(state, in_folder(json), Existing::replace);
-    return json;
-  }
   /// Forces of `state` as a run finds them that does not move it.
   Evaluation<2> forces_from(const std::string& state) const {
     const InitialState initial = load(state);
@@ -62,6 +26,7 @@ class ContinuationMatrix : public TemporaryFolder {
     EXPECT_GT(largest, 0);
     // Rounding of the JSON's numbers is that of a length of the cell, times the stiffness of a contact.
     const double stiff = whole.material.k ? *whole.material.k * whole.system.box.length[0] : 1;
+    EXPECT_EQ(load(exported(run_name)).system.state.mobility, whole.system.state.mobility) << run_name;
     for (std::size_t i = 0; i < of_run.force.size(); ++i) {
       EXPECT_EQ(of_run.force[i], whole.evaluation->force[i]) << run_name << " " << i;
       EXPECT_NEAR(norm(of_run.force[i] - of_json.force[i]) / stiff, 0, 1e-12) << run_name << " " << i;
@@ -124,12 +89,20 @@ plates = "none"
 rate = ")" + (physics == "documented" ? "2000*cos(3000*t)" : "0") + R"("
 [time]
 steps = 60)"));
+    record("plates.h5", case_of(R"x(experiment = "dynamics"
+[particles]
+N = 24
+cut_lines = 0
+[shear]
+rate = "2000*cos(3000*t)"
+[time]
+steps = 60)x"));
   }
 };
 
 TEST_F(ContinuationMatrix, EachStateActsAsItDid) {
   make_files();
-  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "package.h5"})
+  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"})
     expect_same_forces(file);
 }
 
@@ -150,17 +123,8 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
   for (const auto& [run_name, reasons] : matrix)
     for (const std::string& file : {run_name, exported(run_name)})
       for (std::size_t k = 0; k < experiments.size(); ++k) {
-        Case c = case_of("experiment = \"" + experiments[k] + "\"\n[time]\nsteps = 3\n");
-        (file.ends_with("_packing.json") ? c.initial.packing : c.initial.state) = file;
-        resolve_family(c);
-        const InitialState initial = load(file);
-        std::string error;
-        try {
-          derive(c, &initial);
-        } catch (const Error& e) {
-          EXPECT_EQ(e.kind(), ErrorKind::input);
-          error = e.what();
-        }
+        const std::string error =
+            error_from(case_of("experiment = \"" + experiments[k] + "\"\n[time]\nsteps = 3\n"), file);
         if (reasons[k].empty()) EXPECT_EQ(error, "") << file << " to " << experiments[k];
         else EXPECT_THAT(error, HasSubstr(k == 0 && file.ends_with("_packing.json") ? "about discs" : reasons[k]))
             << file << " to " << experiments[k];
@@ -169,7 +133,7 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
 
 TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {
   make_files();
-  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "package.h5"}) {
+  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"}) {
     const auto steps = [&](int n) {
       return case_of("experiment = \"dynamics\"\n[initial]\nkeep_time = true\n[time]\nsteps = " + std::to_string(n));
     };

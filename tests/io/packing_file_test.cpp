@@ -10,6 +10,7 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/force/shape_terms.hpp"
+#include "supple/io/state_file.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/contact_network.hpp"
@@ -219,6 +220,60 @@ TEST_F(PackingFile, ErrorsSayFileParticleAndWhat) {
   EXPECT_THAT(error_with("\\[10, 11\\]", "[10, 7]"), HasSubstr("particles[1].x does not run counter-clockwise"));
   EXPECT_THAT(error_with("\\[11, 9\\]", "[1, 9]"), HasSubstr("particles[1].x[0] is more than half a cell"));
   EXPECT_THAT(error_with("\\[\\s*\\{[^]*$", "[]}"), HasSubstr("particles is empty"));
+}
+
+TEST_F(PackingFile, HoldsRigidBodiesWallsWeightMotionAndLaws) {
+  StoredPacking p{random_polygons(), {2, true}, {}, {}};
+  make_rigid(p.system, 1);
+  p.system.rigid.angle[0] = 0.4;
+  p.system.rigid.velocity[0] = {0.1, -0.2};
+  p.system.rigid.spin[0] = 0.3;
+  place_sites(p.system);
+  p.system.state.velocity[0] = {0.5, 1 / 3.};
+  p.system.box.periodic = {true, false};
+  p.system.floor_contact.assign(p.system.state.position.size(), std::numeric_limits<double>::quiet_NaN());
+  p.system.floor_contact[2] = 1 / 7.;
+  p.environment.stands[gradient][1] = false;
+  p.environment.gravity = {0, -0.01};
+  p.keys = {{"contact.kind", "smooth"}, {"motion.damping", 0.25}, {"bodies.vertices", std::int64_t{7}}};
+  const StoredPacking q = rewritten(p);
+  ASSERT_EQ(q.system.rigid.body, p.system.rigid.body);
+  EXPECT_EQ(q.system.rigid.begin, p.system.rigid.begin);
+  EXPECT_NEAR(q.system.rigid.spin[0], 0.3, 1e-13);
+  EXPECT_NEAR(norm(q.system.rigid.velocity[0] - p.system.rigid.velocity[0]), 0, 1e-15);
+  EXPECT_NEAR(q.system.rigid.inertia[0], p.system.rigid.inertia[0], 1e-13 * p.system.rigid.inertia[0]);
+  for (std::size_t i = 0; i < p.system.state.position.size(); ++i) {
+    EXPECT_NEAR(norm(q.system.state.position[i] - p.system.state.position[i]), 0, 1e-14) << i;
+    EXPECT_NEAR(norm(q.system.state.velocity[i] - p.system.state.velocity[i]), 0, 1e-14) << i;
+  }
+  EXPECT_EQ(q.system.shape.rest_volume, p.system.shape.rest_volume);
+  EXPECT_EQ(q.system.floor_contact[2], 1 / 7.);
+  EXPECT_TRUE(std::isnan(q.system.floor_contact[1]));
+  EXPECT_EQ(q.environment.stands, p.environment.stands);
+  EXPECT_EQ(q.environment.gravity, p.environment.gravity);
+  EXPECT_EQ(q.keys, (HeldKeys{{"contact.kind", "smooth"}, {"motion.damping", 0.25}})) << "laws alone";
+}
+
+TEST_F(PackingFile, UnknownKeysAndOtherFilesAreErrors) {
+  EXPECT_THAT(error_with("\"box\": 10", "\"box\": 10, \"perodic\": [true, false]"),
+              HasSubstr("has an unknown key \"perodic\"; did you mean \"periodic\"?"));
+  EXPECT_THAT(error_with("\"sigma\": 0.5", "\"sigma\": 0.5, \"theta\": 1"),
+              HasSubstr("particles[1] has an unknown key \"theta\"; did you mean \"theta0\"?"));
+  EXPECT_THAT(error_with("\"box\": 10", "\"box\": 10, \"walls\": [\"top\"]"), HasSubstr("not one of"));
+  EXPECT_THAT(error_with("\"box\": 10", "\"box\": 10, \"gravity\": 1"), HasSubstr("periodic along y"));
+  EXPECT_THAT(error_with("\"box\": 10", "\"box\": 10, \"case\": {\"contact.knd\": \"smooth\"}"),
+              HasSubstr("did you mean 'kind'"));
+  EXPECT_THAT(file_error_of([&] { read("{\"params\": {}, \"initial\": {}}"); }), HasSubstr("initial.state"));
+  write_content(in_folder("p.json"), small);
+  EXPECT_THAT(file_error_of([&] { read_state(in_folder("p.json")); }), HasSubstr("initial.packing"));
+}
+
+TEST_F(PackingFile, RingsThatCrossThemselvesAreErrors) {
+  EXPECT_THAT(error_with("\\[3, 3\\], \\[1, 3\\]", "[1, 3], [2.9, 3.1]"),
+              HasSubstr("particles[0].x crosses itself: the edges after vertices 1 and 3"));
+  // A figure of eight whose larger loop runs counter-clockwise has a positive area.
+  EXPECT_THAT(error_with("\\[1, 1\\], \\[3, 1\\], \\[3, 3\\], \\[1, 3\\]", "[0, 0], [4, 0], [4, 3], [1, -1]"),
+              HasSubstr("crosses itself"));
 }
 
 }  // namespace
