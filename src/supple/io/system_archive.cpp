@@ -108,7 +108,8 @@ void write_system(h5::Group& group, const System<Dim>& system) {
   const State<Dim>& state = system.state;
   const auto sites = static_cast<std::uint64_t>(state.size());
   group.write_scalar("time", system.time);
-  group.write_scalar("lag", system.lag);
+  group.write_scalar("lag", system.lag)
+      .set("meaning", std::string("velocities and spins are of half this time before the positions"));
   group.write_scalar("step", system.step);
   h5::Group box = group.create_group("box");
   write_box(box, system.box);
