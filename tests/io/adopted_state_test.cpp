@@ -112,12 +112,12 @@ TEST_F(AdoptedState, TimeStartsAtZeroUnlessAsked) {
 TEST_F(AdoptedState, KeysAboutOtherParticlesAreRefused) {
   const std::string start = moving_discs();
   for (const std::string key : {"width = \"1 mm\"", "height = 1e-3"})
-    EXPECT_THAT(error_from(dynamics(2, "[box]\n" + key + "\n"), start), HasSubstr("holds particles of 0.0005"));
+    EXPECT_THAT(error_from(dynamics(2, "[box]\n" + key + "\n"), start), HasSubstr("it is 0.0005 in moving_state.json"));
   EXPECT_THAT(error_from(dynamics(2, "[material]\ndensity = 50\n"), start), HasSubstr("material.density = 50"));
   EXPECT_THAT(error_from(dynamics(2, "[particles]\nN = 13\n"), start),
-              HasSubstr("particles.N = 13 (moving_state.json holds particles of 12); leave the key away"));
+              HasSubstr("particles.N = 13 (it is 12 in moving_state.json, whose particles are taken as they are); leave the key away"));
   EXPECT_THAT(error_from(dynamics(2, "[particles]\nedge_fuzziness = 1\n"), start),
-              HasSubstr("the particles are those of moving_state.json"));
+              HasSubstr("the particles are taken from moving_state.json"));
   EXPECT_EQ(error_from(dynamics(2, "[particles]\nN = 12\n[box]\nwidth = \"500 um\"\n"), start), "") << "as they are";
 }
 

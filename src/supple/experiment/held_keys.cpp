@@ -68,6 +68,7 @@ std::string shown(const KeyValue& value) {
   return std::visit(
       [](const auto& v) {
         if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) return fmt::format("\"{}\"", v);
+        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return fmt::format("{:.10g}", v);
         else return fmt::format("{}", v);
       },
       value);
@@ -127,8 +128,9 @@ void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std:
     if (field.role == Role::law || confirms(by_name) || confirms(of_system)) return;
     const std::string why =
         by_name || of_system
-            ? fmt::format("{} holds particles of {}", file, shown(by_name ? *by_name : *of_system))
-            : fmt::format("the particles are those of {}", file);
+            ? fmt::format("it is {} in {}, whose particles are taken as they are",
+                          shown(by_name ? *by_name : *of_system), file)
+            : fmt::format("the particles are taken from {} as they are", file);
     problems.push_back(input_error(fmt::format("{} = {}", key, shown(given)), why, "leave the key away").what());
   });
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
