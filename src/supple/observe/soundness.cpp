@@ -8,6 +8,7 @@
 
 #include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
+#include "supple/geometry/self_crossing.hpp"
 
 namespace supple {
 
@@ -42,16 +43,6 @@ void edges_in(const BodyShape& shape, const Vec2& shift, const Bounds& region, s
             [](const Edge& a, const Edge& b) { return a.bounds.low[0] < b.bounds.low[0]; });
 }
 
-bool crosses_itself(const BodyShape& shape, std::vector<Edge>& edges) {
-  edges_in(shape, {}, shape.bounds, edges);
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 1; j < edges.size() && edges[j].bounds.low[0] <= edges[i].bounds.high[0]; ++j)
-      if (edges[i].bounds.meets(edges[j].bounds) &&
-          cross_each_other(edges[i].from, edges[i].to, edges[j].from, edges[j].to))
-        return true;
-  return false;
-}
-
 /// Of a ring, without the discs at its vertices.
 Bounds bounds_of_ring(const BodyShape& shape) {
   Bounds bounds{shape.ring[0], shape.ring[0]};
@@ -81,7 +72,7 @@ class Look {
     const BodyShape& shape = shapes_[b];
     if (shape.is_disc()) return;
     count(b, out_.turned_over, !(polygon_area(shape.ring) > 0));
-    count(b, out_.self_crossing, crosses_itself(shape, first_));
+    count(b, out_.self_crossing, find_self_crossing(shape.ring).has_value());
     if (outline_ == Outline::smooth) return;
     bool open = false;
     for (int k = 0; k < shape.size(); ++k) {
