@@ -37,13 +37,15 @@ std::string stopped(const Case& c, MemoryRecorder& recorder) {
     EXPECT_EQ(e.kind(), ErrorKind::numerics) << e.what();
     const Outline outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
     EXPECT_GT(recorder.last_system.state.size(), 0);
-    EXPECT_TRUE(look_at(recorder.last_system, outline).sound()) << look_at(recorder.last_system, outline).what();
+    EXPECT_TRUE(look_at(recorder.last_system, outline).sound())
+        << look_at(recorder.last_system, outline).what();
     return e.what();
   }
   return "it ran to its end";
 }
 
-/// Floppy rings with much too long edges fold over themselves: the run reported a packing fraction of 1.334 for 0.977.
+/// Floppy rings with much too long edges fold over themselves: the run reported a packing fraction of 1.334
+/// for 0.977.
 TEST(SoundStates, ARunStopsWhereRingsCrossThemselves) {
   Case c = case_of("floppy", 12, 16);
   c.bodies.shape_parameter = 1.3;
@@ -116,8 +118,9 @@ TEST(SoundStates, AGivenPackingThatIsUnsoundIsBadInput) {
   }
 }
 
-/// In equilibrium every particle on which a contact pushes is held: of smooth shells, one of ten packings has a particle
-/// that is squeezed by two opposite vertices, which a rule that counts contacts takes for a rattler.
+/// In equilibrium every particle on which a contact pushes is held: of smooth shells, one of ten packings has
+/// a particle that is squeezed by two opposite vertices, which a rule that counts contacts takes for a
+/// rattler.
 TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
   for (const int seed : {10, 13, 20}) {  // of 24, where there was such a particle in 13 and 20
     Case c = case_of("shell", 12, 10);
@@ -132,7 +135,8 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
     double mean = 0;
     for (const SiteContact& contact : r.contacts) {
       mean += contact.normal_force() / static_cast<double>(r.contacts.size());
-      for (const int b : {contact.body, contact.other_body}) load[b] = std::max(load[b], contact.normal_force());
+      for (const int b : {contact.body, contact.other_body})
+        load[b] = std::max(load[b], contact.normal_force());
     }
     for (std::size_t b = 0; b < load.size(); ++b)
       if (load[b] > 0.05 * mean) EXPECT_EQ(r.rattlers[b], 0) << seed << ' ' << b << ' ' << load[b] / mean;
@@ -180,7 +184,8 @@ TEST(Packing, TheShapeParameterOfEachSize) {
   const auto wanted = [&](int body) {
     const System<2> s = make_packing(c, nullptr, 0.3).system;
     double perimeter = 0;
-    for (int f = s.topology.facet_begin[body]; f < s.topology.facet_begin[body + 1]; ++f) perimeter += s.shape.rest_facet[f];
+    for (int f = s.topology.facet_begin[body]; f < s.topology.facet_begin[body + 1]; ++f)
+      perimeter += s.shape.rest_facet[f];
     return perimeter * perimeter / (4 * pi * s.shape.rest_volume[body]);
   };
   EXPECT_NEAR(wanted(0), 1.0055 * least_shape_parameter(10), 1e-12);

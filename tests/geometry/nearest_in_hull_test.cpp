@@ -21,18 +21,22 @@ TEST(NearestInHull, ClosedForms) {
   EXPECT_NEAR(distance_to_hull(Points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 1 / std::sqrt(3), 1e-12);
   EXPECT_EQ(distance_to_hull(Points{{1, 0, 0}, {-2, 0, 0}}), 0) << "two opposite ones hold it between them";
   EXPECT_EQ(distance_to_hull(Points{{1, 1, 1}, {-1, 1, 1}, {0, -1, 1}, {0, 0, -1}}), 0) << "in a tetrahedron";
-  EXPECT_NEAR(distance_to_hull(Points{{1, 1, 1}, {-1, 1, 1}, {0, -1, 1}, {0, 0, 1}}), 1, 1e-12) << "below its base";
-  EXPECT_NEAR(distance_to_hull(Points{{2, 0, 0}, {2, 0, 0}, {2, 0, 0}}), 2, 1e-12) << "one point, three times";
+  EXPECT_NEAR(distance_to_hull(Points{{1, 1, 1}, {-1, 1, 1}, {0, -1, 1}, {0, 0, 1}}), 1, 1e-12)
+      << "below its base";
+  EXPECT_NEAR(distance_to_hull(Points{{2, 0, 0}, {2, 0, 0}, {2, 0, 0}}), 2, 1e-12)
+      << "one point, three times";
 }
 
-/// The distance is the largest over all directions q of the least q.p: the planes that part the hull from the origin.
+/// The distance is the largest over all directions q of the least q.p: the planes that part the hull from the
+/// origin.
 TEST(NearestInHull, IsTheBestPlaneOfManyDirections) {
   Points directions;
   const int rings = 120;
   for (int i = 0; i < rings; ++i)
     for (int k = 0; k < 2 * rings; ++k) {
       const double theta = std::numbers::pi * (i + 0.5) / rings, phi = std::numbers::pi * k / rings;
-      directions.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+      directions.push_back(
+          {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
     }
   int outside = 0;
   for (int set = 0; set < 60; ++set) {

@@ -37,7 +37,8 @@ System<2> discs(double length, const std::vector<Vec2>& centres, const std::vect
 /// A disc at 10, 10 with fixed ones at these angles that touch it.
 std::uint8_t middle_rattles(const std::vector<double>& degrees) {
   std::vector<Vec2> centres{{10, 10}};
-  for (const double a : degrees) centres.push_back(Vec2{10, 10} + 1.9 * Vec2{std::cos(a * pi / 180), std::sin(a * pi / 180)});
+  for (const double a : degrees)
+    centres.push_back(Vec2{10, 10} + 1.9 * Vec2{std::cos(a * pi / 180), std::sin(a * pi / 180)});
   System<2> system = discs(20, centres, std::vector<double>(centres.size(), 1));
   for (std::size_t k = 1; k < centres.size(); ++k) system.state.mobility[k] = Mobility::fixed;
   return rattlers(system)[0];
@@ -54,8 +55,8 @@ TEST(Rattlers, ADiscIsHeldByContactsThatSurroundIt) {
 }
 
 TEST(Rattlers, TakeOthersWithThem) {
-  // Discs of a square lattice hold each other. In one of its holes a small disc touches a lattice disc, and a smaller
-  // one touches that from the other side, squeezing it; nothing holds the smaller one.
+  // Discs of a square lattice hold each other. In one of its holes a small disc touches a lattice disc, and a
+  // smaller one touches that from the other side, squeezing it; nothing holds the smaller one.
   std::vector<Vec2> centres;
   for (int k = 0; k < 9; ++k) centres.push_back({2.0 * (k % 3) + 1, 2.0 * (k / 3) + 1});
   std::vector<double> radius(9, 1.001);
@@ -73,7 +74,9 @@ TEST(Rattlers, TakeOthersWithThem) {
 TEST(Rattlers, ManyContactsFromOneSideHoldNothing) {
   const double around = 2 / std::sqrt(3.);
   std::vector<Vec2> centres{{10, 10}};
-  for (int k = 0; k < 3; ++k) centres.push_back(Vec2{10, 10} + 0.999 * around * Vec2{std::cos(2 * pi * k / 3), std::sin(2 * pi * k / 3)});
+  for (int k = 0; k < 3; ++k)
+    centres.push_back(Vec2{10, 10} +
+                      0.999 * around * Vec2{std::cos(2 * pi * k / 3), std::sin(2 * pi * k / 3)});
   System<2> system = discs(20, centres, {around - 1, 1, 1, 1});
   EXPECT_THAT(rattlers(system), Each(1));
 }
@@ -99,14 +102,16 @@ TEST(Rattlers, ASquareBetweenTwoTips) {
 }
 
 TEST(Rattlers, TeethHoldRigidAndDeformableRingsAlike) {
-  // A hexagon of vertices between two walls of four vertices each, two by two: six contacts, no rotation left.
+  // A hexagon of vertices between two walls of four vertices each, two by two: six contacts, no rotation
+  // left.
   for (const bool rigid : {false, true}) {
     System<2> system;
     system.box.length = {40, 40};
     add_polygon(system, {20, 20}, 3, 6, pi / 6, 1, {});
     const double r = 2 * system.state.radius[0], across = norm(system.state.position[0] - Vec2{20, 20});
     for (const double side : {-1.0, 1.0})
-      for (const double along : {-0.6, 0.6}) add_disc_body(system, Vec2{20 + along * r, 20 + side * (across + 0.7 * r)}, 0.5 * r);
+      for (const double along : {-0.6, 0.6})
+        add_disc_body(system, Vec2{20 + along * r, 20 + side * (across + 0.7 * r)}, 0.5 * r);
     for (int k = 6; k < 10; ++k) system.state.mobility[k] = Mobility::fixed;
     if (rigid) make_rigid(system, 0);
     EXPECT_EQ(rattlers(system)[0], 0) << rigid;
@@ -172,7 +177,8 @@ TEST(Rattlers, AreThoseWithAMotionThatOpensAllContacts) {
       if (best > -0.03 && best < 0.03) continue;  // the grid does not tell
       const System<2> now = system;
       for (int i = 0; i < system.state.size(); ++i)
-        if (i < now.topology.begin[b] || i >= now.topology.begin[b + 1]) system.state.mobility[i] = Mobility::fixed;
+        if (i < now.topology.begin[b] || i >= now.topology.begin[b + 1])
+          system.state.mobility[i] = Mobility::fixed;
       EXPECT_EQ(find_rattlers(system, contacts)[b], best > 0) << seed << ' ' << b << ' ' << best;
       system = now;
       (best > 0 ? free : held) += 1;

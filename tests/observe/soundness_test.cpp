@@ -1,4 +1,5 @@
-/// Particles in each other, across each other and across themselves: small figures, and every pair of edges tried.
+/// Particles in each other, across each other and across themselves: small figures, and every pair of edges
+/// tried.
 #include "supple/observe/soundness.hpp"
 
 #include <gmock/gmock.h>
@@ -63,7 +64,7 @@ TEST(Soundness, FindsBarsThatCross) {
 TEST(Soundness, FindsRingsThatCrossThemselvesOrHaveTurnedOver) {
   System<2> system;
   system.box.length = {40, 40};
-  add(system, {{1, 1}, {5, 1}, {1.5, 4}, {5, 5}});      // a bow tie: its edges 1 and 3 cross
+  add(system, {{1, 1}, {5, 1}, {1.5, 4}, {5, 5}});    // a bow tie: its edges 1 and 3 cross
   add(system, {{11, 1}, {11, 2}, {12, 2}, {12, 1}});  // clockwise
   add(system, {{21, 1}, {25, 1}, {25, 5}, {21, 5}});
   const Soundness found = look_at(system, Outline::smooth);
@@ -110,7 +111,8 @@ bool cross_by_parameters(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2
   return s > 0 && s < 1 && t > 0 && t < 1;
 }
 
-/// All edges of all bodies against all edges of all images, in a sheared cell in which bodies meet many images.
+/// All edges of all bodies against all edges of all images, in a sheared cell in which bodies meet many
+/// images.
 TEST(Soundness, AgreesWithEveryPairOfEdges) {
   int crossing = 0, self_crossing = 0, all = 0;
   for (std::uint64_t seed = 1; seed < 13; ++seed) {
@@ -126,7 +128,8 @@ TEST(Soundness, AgreesWithEveryPairOfEdges) {
       for (int b = 0; b < draw.bodies; ++b)
         for (int up = -2; up <= 2; ++up)
           for (int across = -3; across <= 3; ++across) {
-            const Vec2 shift{across * s.box.length[0] + up * s.box.strain * s.box.length[1], up * s.box.length[1]};
+            const Vec2 shift{across * s.box.length[0] + up * s.box.strain * s.box.length[1],
+                             up * s.box.length[1]};
             for (int f = t.facet_begin[a]; f < t.facet_begin[a + 1]; ++f)
               for (int g = t.facet_begin[b]; g < t.facet_begin[b + 1]; ++g) {
                 if (a == b && shift == Vec2{} && f == g) continue;
@@ -139,8 +142,10 @@ TEST(Soundness, AgreesWithEveryPairOfEdges) {
     EXPECT_EQ(found.crossing, static_cast<int>(crossed.size())) << seed;
     EXPECT_EQ(found.self_crossing, static_cast<int>(self.size())) << seed;
     std::set<int> inside;
-    for (const SiteInside& i : find_sites_inside(s)) inside.insert(bodies_of_sites(t, s.state.size())[i.site]);
-    EXPECT_GE(found.inside, static_cast<int>(inside.size())) << seed << ": that knows no images of a body itself";
+    for (const SiteInside& i : find_sites_inside(s))
+      inside.insert(bodies_of_sites(t, s.state.size())[i.site]);
+    EXPECT_GE(found.inside, static_cast<int>(inside.size()))
+        << seed << ": that knows no images of a body itself";
     crossing += found.crossing;
     self_crossing += found.self_crossing;
     all += draw.bodies;

@@ -18,7 +18,7 @@ namespace supple {
 ///
 /// A vertex that is inside a body, not deeper than sigma, feels phi(-depth) beside: energy and force go on
 /// where it crosses an edge, and it is pushed out to the nearest point of the boundary. Such sites are
-/// reported by sites_inside(); deeper ones are found by find_sites_inside() alone.
+/// reported by sites_inside(); deeper ones are found by look_at() (observe/soundness) alone.
 ///
 /// Smooth discs are bodies of one site. Their centres act as vertices against polygons, with factor 1 instead
 /// of 1/2, and the polygon's vertices do not act on the disc; two discs meet once, phi(distance).

@@ -9,13 +9,18 @@ bool must_stop(const Packing& packing, const Soundness& soundness) {
 }
 
 Error unsound_error(const Soundness& soundness) {
-  const char* to_do = "give vertices that are wider (bodies.diameter_ratio) or stiffer (contact.k_c), smaller steps or a "
-                      "lower pressure; or contact.unsound = \"mark\" to go on and see it marked";
+  const char* to_do =
+      "give vertices that are wider (bodies.diameter_ratio) or stiffer (contact.k_c), smaller steps or a "
+      "lower pressure; or contact.unsound = \"mark\" to go on and see it marked";
   if (!soundness.has_areas())
-    to_do = "give bending stiffness (bodies.k_b), A0 nearer to the regular polygon's, smaller steps or a lower pressure";
+    to_do =
+        "give bending stiffness (bodies.k_b), A0 nearer to the regular polygon's, smaller steps or a lower "
+        "pressure";
   else if (soundness.inside + soundness.crossing == 0)
-    to_do = "give wider vertices (bodies.diameter_ratio), stiffer edges (bodies.k_l), or contact.kind = \"smooth\"; or "
-            "contact.unsound = \"mark\" to go on and see it marked";
+    to_do =
+        "give wider vertices (bodies.diameter_ratio), stiffer edges (bodies.k_l), or contact.kind = "
+        "\"smooth\"; or "
+        "contact.unsound = \"mark\" to go on and see it marked";
   return numerics_error(soundness.what(), "the state handed over is the last one before", to_do);
 }
 

@@ -21,8 +21,8 @@ struct Corral {
     return x;
   }
 
-  /// Weights of the point of the affine hull that is nearest to the origin: (G + 1) u = 1, w = u / sum u with the
-  /// Gram matrix G. False where the points are not independent, to rounding.
+  /// Weights of the point of the affine hull that is nearest to the origin: (G + 1) u = 1, w = u / sum u with
+  /// the Gram matrix G. False where the points are not independent, to rounding.
   bool affine_weights(std::array<double, 4>& out) const {
     double a[4][5];
     for (int i = 0; i < size; ++i) {
@@ -60,7 +60,8 @@ struct Corral {
       int leaves = -1;
       for (int k = 0; k < size; ++k)
         if (wanted[k] <= 0)
-          if (const double s = weight[k] / (weight[k] - wanted[k]); leaves < 0 || s < step) step = s, leaves = k;
+          if (const double s = weight[k] / (weight[k] - wanted[k]); leaves < 0 || s < step)
+            step = s, leaves = k;
       for (int k = 0; k < size; ++k) weight[k] += step * (wanted[k] - weight[k]);
       if (leaves < 0) return true;
       drop(leaves);
@@ -81,9 +82,8 @@ double distance_to_hull(std::span<const Vec3> points) {
   corral.weight[0] = corral.size = 1;
   Vec3 x = *least;
   for (int round = 0; round < 1000 && norm(x) > rounding; ++round) {
-    const Vec3& next = *std::min_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
-      return dot(x, a) < dot(x, b);
-    });
+    const Vec3& next = *std::min_element(points.begin(), points.end(),
+                                         [&](const Vec3& a, const Vec3& b) { return dot(x, a) < dot(x, b); });
     if (dot(x, x - next) <= rounding * norm(x) || corral.size == 4) break;
     corral.point[corral.size] = next;
     corral.weight[corral.size++] = 0;

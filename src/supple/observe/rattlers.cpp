@@ -17,7 +17,8 @@ struct Push {
 
 class Pushes {
  public:
-  explicit Pushes(const System<2>& system) : system_(system), bodies_(system.topology.body_count(system.state.size())) {
+  explicit Pushes(const System<2>& system)
+      : system_(system), bodies_(system.topology.body_count(system.state.size())) {
     for (int b = 0; b < bodies_; ++b) {
       centre_.push_back(body_centre(system, b));
       radius_.push_back(outer_radius(system, b));
@@ -83,7 +84,8 @@ std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vect
     pushes.add(c.other_body, c.body, -c.force, at - c.shift);
   }
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  for (const SiteForce<2>& w : outside.wall) pushes.add(body[w.site], -1, w.force, system.state.position[w.site]);
+  for (const SiteForce<2>& w : outside.wall)
+    pushes.add(body[w.site], -1, w.force, system.state.position[w.site]);
   for (int b = 0; b < pushes.bodies(); ++b) pushes.add(b, -1, outside.gravity, pushes.centre(b));
   return pushes.rattlers(least_rate);
 }

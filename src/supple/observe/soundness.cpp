@@ -119,8 +119,8 @@ class Look {
   }
 
   /// Whether a vertex of one body lies in the polygon of the other.
-  bool has_site_inside(const BodyShape& one, const Vec2& shift, const BodyShape& other, const Vec2& other_shift,
-                       const Bounds& region) const {
+  bool has_site_inside(const BodyShape& one, const Vec2& shift, const BodyShape& other,
+                       const Vec2& other_shift, const Bounds& region) const {
     if (other.is_disc()) return false;
     return std::any_of(one.ring.begin(), one.ring.end(), [&](const Vec2& site) {
       const Vec2 x = site + shift;
@@ -128,7 +128,8 @@ class Look {
     });
   }
 
-  bool boundaries_cross(const BodyShape& first, const BodyShape& second, const Vec2& shift, const Bounds& region) {
+  bool boundaries_cross(const BodyShape& first, const BodyShape& second, const Vec2& shift,
+                        const Bounds& region) {
     edges_in(first, {}, region, first_);
     edges_in(second, shift, region, second_);
     for (const Edge& a : first_)
@@ -176,7 +177,9 @@ std::string Soundness::what() const {
   std::string text;
   const auto say = [&](int number, const char* one, const char* many) {
     if (number == 0) return;
-    if (text.empty()) text = fmt::format("{} {} {}", number, number == 1 ? "particle" : "particles", number == 1 ? one : many);
+    if (text.empty())
+      text =
+          fmt::format("{} {} {}", number, number == 1 ? "particle" : "particles", number == 1 ? one : many);
     else text += fmt::format(", {} {}", number, number == 1 ? one : many);
   };
   say(not_finite, "has a position that is no number", "have positions that are no numbers");
