@@ -166,5 +166,24 @@ TEST_F(ContinuationMatrix, AHeapKeepsItsWallsWeightFrictionAndDrag) {
   }
 }
 
+TEST_F(ContinuationMatrix, MotionThatTheCaseNamesIsGivenBetweenWallsThatHold) {
+  make_files();
+  for (const std::string& file : {std::string("box.h5"), exported("box.h5")}) {
+    // Faster than the pressure of the box, which alone would carry the particles away.
+    record("moved.h5", case_of(R"(experiment = "dynamics"
+[motion]
+kinetic_energy = 1e-3
+[time]
+steps = 3000)"), file);
+    const System<2> s = load("moved.h5").system;
+    EXPECT_NE(s.state.velocity[0], Vec2{});
+    for (const Vec2& x : s.state.position)
+      for (int d = 0; d < 2; ++d) {
+        EXPECT_GT(x[d], -0.1) << file;
+        EXPECT_LT(x[d], s.box.length[d] + 0.1) << file;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace supple

@@ -31,6 +31,7 @@ inline constexpr Range fraction{0, 1};
 
 /// What becomes of a parameter when a run goes on from a state.
 enum class Role {
+  unsaid,  ///< that of its section, or else `run`
   run,     ///< how this run goes: not of the state
   law,     ///< what acts, kept with the state by its name: it holds unless the case gives the key
   sample,  ///< how the sample was made: given with a state it must be that of the state
@@ -48,17 +49,17 @@ struct Field {
   std::string_view meaning;
   Range range = any_value;
   std::vector<std::string_view> choices = {};
-  Role role = Role::run;
+  Role role = Role::unsaid;
 };
 
 template <class P>
 using Fields = std::vector<Field<P>>;
 
-/// The same fields; those of no role of their own get this one.
+/// The same fields; those that say nothing of their role get this one.
 template <class P>
 Fields<P> with_role(Role role, Fields<P> fields) {
   for (Field<P>& f : fields)
-    if (f.role == Role::run) f.role = role;
+    if (f.role == Role::unsaid) f.role = role;
   return fields;
 }
 

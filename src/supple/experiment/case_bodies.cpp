@@ -72,14 +72,11 @@ const Fields<Touch>& fields() {
        Role::number},
       {"k_p", &T::k_p, "k_c", "stiffness of walls over k_c", positive},
       {"floor_friction", &T::floor_friction, "", "Coulomb coefficient of the floor", not_negative},
+      {"unsound", &T::unsound, "",
+       "when a particle has got into another one: stop with the last good state, or mark it and go on", any_value,
+       {"stop", "mark"}, Role::run},
   };
-  static const Fields<T> f = [] {
-    Fields<T> fields = with_role(Role::law, all);
-    fields.push_back({"unsound", &T::unsound, "",
-                      "when a particle has got into another one: stop with the last good state, or mark it and go on",
-                      any_value, {"stop", "mark"}});
-    return fields;
-  }();
+  static const Fields<T> f = with_role(Role::law, all);
   return f;
 }
 
