@@ -2,6 +2,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/adopt_state.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -30,15 +31,21 @@ const Experiment& named(const std::string& name) {
   throw input_error("no experiment '" + name + "'");
 }
 
+void require_sane(const InitialState* initial) {
+  if (initial) require_sane(initial->system, "the state to start from");
+}
+
 }  // namespace
 
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
+  require_sane(initial);
   const Case adopted = adopt_state(c, initial);
   check(adopted);
   return named(adopted.general.experiment).derive(adopted, initial);
 }
 
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
+  require_sane(initial);
   const Case adopted = adopt_state(c, initial);
   check(adopted);
   named(adopted.general.experiment).run(adopted, initial, recorder);

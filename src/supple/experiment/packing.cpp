@@ -16,6 +16,7 @@
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
+#include "supple/model/sanity.hpp"
 #include "supple/observe/shape_measures.hpp"
 
 namespace supple {
@@ -203,6 +204,7 @@ std::string what_to_do_about_start(const Soundness& s) {
 
 /// What the case says of these particles.
 Packing packing_of(const Case& c, System<2> system) {
+  require_sane(system, "this packing");
   Packing p;
   p.system = std::move(system);
   p.field = make_body_field(c);

@@ -10,6 +10,7 @@
 #include "supple/experiment/relaxation.hpp"
 #include "supple/model/convert.hpp"
 #include "supple/model/discs.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -179,7 +180,9 @@ void record_constants(const Suspension& s, const InitialState* initial, const st
 }
 
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder) {
-  return is_package(c) ? make_package(c, initial, recorder) : make_documented(c, initial, recorder);
+  Suspension s = is_package(c) ? make_package(c, initial, recorder) : make_documented(c, initial, recorder);
+  require_sane(s.system, "this suspension");
+  return s;
 }
 
 }  // namespace supple

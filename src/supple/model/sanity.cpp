@@ -1,0 +1,129 @@
+#include "supple/model/sanity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+namespace {
+
+constexpr double smallest = 1e-60, largest = 1e60;
+constexpr double farthest = 1e9;  ///< in radii of the smallest site
+constexpr double widest = 1e7;    ///< radius, in radii of the smallest site
+
+class Judge {
+ public:
+  Judge(const System<2>& system, const std::string& what) : system_(system), what_(what) {}
+
+  [[noreturn]] void refuse(const std::string& problem, const std::string& why) const {
+    throw input_error(fmt::format("{} cannot be computed with: {}", what_, problem), why,
+                      "look for a wrong unit or a damaged number");
+  }
+
+  static bool is_size(double x) { return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest); }
+  void size(double x, const std::string& name) const {
+    if (!is_size(x))
+      refuse(fmt::format("{} is {:.6g}", name, x), fmt::format("numbers are from {:g} to {:g} here", smallest, largest));
+  }
+  void positive_size(double x, const std::string& name) const {
+    if (!(x > 0)) refuse(fmt::format("{} is {:.6g}", name, x), "it must be positive");
+    size(x, name);
+  }
+  void sizes(std::span<const double> values, const char* name) const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!is_size(values[i])) size(values[i], fmt::format("{} {}", name, i));
+  }
+  void positive_sizes(std::span<const double> values, const char* name) const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!(values[i] > 0 && is_size(values[i]))) positive_size(values[i], fmt::format("{} {}", name, i));
+  }
+  void sizes(const std::vector<Vec2>& values, const char* name) const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (int d = 0; d < 2; ++d)
+        if (!is_size(values[i][d])) size(values[i][d], fmt::format("{} {}", name, i));
+  }
+
+  void cell() const {
+    for (int d = 0; d < 2; ++d) positive_size(system_.box.length[d], d == flow ? "its width" : "its height");
+    size(system_.box.strain, "its strain");
+    size(system_.box.strain_rate, "its strain rate");
+    size(system_.time, "its time");
+  }
+
+  void sites() const {
+    const State<2>& s = system_.state;
+    if (s.size() == 0) refuse("it holds no particle", "there is nothing to move");
+    positive_sizes(s.radius, "the radius of site");
+    positive_sizes(s.mass, "the mass of site");
+    sizes(s.inertia, "the inertia of site");
+    sizes(s.position, "the position of site");
+    sizes(s.velocity, "the velocity of site");
+    sizes(s.angle, "the angle of site");
+    sizes(s.spin, "the spin of site");
+  }
+
+  void extents() const {
+    const State<2>& s = system_.state;
+    const auto [least, most] = std::minmax_element(s.radius.begin(), s.radius.end());
+    if (*most > widest * *least)
+      refuse(fmt::format("radii are from {:.6g} to {:.6g}", *least, *most),
+             fmt::format("the largest may be {:g} of the smallest", widest));
+    const double reach = farthest * *least;
+    const auto within = [&](const Vec2& x) { return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach; };
+    const std::string why = fmt::format("beyond {:g} radii of the smallest site, {:.6g}, contacts would not be resolved",
+                                        farthest, reach);
+    if (!within(system_.box.length))
+      refuse(fmt::format("its cell is {:.6g} x {:.6g}", system_.box.length[0], system_.box.length[1]), why);
+    if (std::abs(system_.box.strain) * system_.box.length[gradient] > reach)
+      refuse(fmt::format("its strain is {:.6g}", system_.box.strain), why);
+    for (std::size_t i = 0; i < s.position.size(); ++i)
+      if (!within(s.position[i]))
+        refuse(fmt::format("site {} lies at ({:.6g}, {:.6g})", i, s.position[i][0], s.position[i][1]), why);
+  }
+
+  void shapes() const {
+    const Shape& shape = system_.shape;
+    for (std::size_t b = 0; b < shape.stiffness.size(); ++b) {
+      const ShapeStiffness& k = shape.stiffness[b];
+      for (const double x : {k.volume, k.facet, k.hinge, k.tension}) size(x, fmt::format("a stiffness of particle {}", b));
+    }
+    sizes(shape.rest_volume, "the preferred area of particle");
+    positive_sizes(shape.rest_facet, "the preferred length of edge");
+    sizes(shape.rest_hinge, "the preferred angle of corner");
+    const RigidBodies& r = system_.rigid;
+    positive_sizes(r.mass, "the mass of rigid particle");
+    positive_sizes(r.inertia, "the inertia of rigid particle");
+    for (const auto* vectors : {&r.centre, &r.velocity, &r.offset}) sizes(*vectors, "a vector of rigid particle");
+    for (const auto* numbers : {&r.angle, &r.spin}) sizes(*numbers, "an angle or spin of rigid particle");
+    sizes(system_.pairs.history, "the elongation of contact");
+  }
+
+  void energy() const {
+    const State<2>& s = system_.state;
+    double sum = 0;
+    for (std::size_t i = 0; i < s.velocity.size(); ++i) sum += s.mass[i] * dot(s.velocity[i], s.velocity[i]);
+    if (!(0.5 * sum <= largest)) refuse(fmt::format("its kinetic energy is {:.6g}", 0.5 * sum), "it is too much");
+  }
+
+ private:
+  const System<2>& system_;
+  const std::string& what_;
+};
+
+}  // namespace
+
+void require_sane(const System<2>& system, const std::string& what) {
+  const Judge judge(system, what);
+  judge.cell();
+  judge.sites();
+  judge.extents();
+  judge.shapes();
+  judge.energy();
+}
+
+}  // namespace supple

@@ -1,0 +1,19 @@
+/// Whether a system can be computed with at all.
+#pragma once
+#include <string>
+
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Throws an input error that begins with `what` ("the state to start from") unless
+/// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths are positive;
+/// * every number is finite and its size between 1e-60 and 1e60 (or 0 where it may be), so that products of four are;
+/// * no site lies further out than 1e9 of the smallest radius (nor the cell reaches further): positions, of 16 digits,
+///   would not resolve contacts;
+/// * the largest radius is at most 1e7 of the smallest one;
+/// * the kinetic energy is finite.
+/// Whatever makes or reads a sample calls it, so that loops over sites, grids and steps may rely on it.
+void require_sane(const System<2>& system, const std::string& what);
+
+}  // namespace supple
