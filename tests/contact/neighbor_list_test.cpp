@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "tests/support/suspension.hpp"
@@ -58,6 +60,67 @@ TEST(NeighborList, FindsEveryTouchingPairInThreeDimensions) {
     EXPECT_GT(touching_by_brute_force(s).size(), 500u);
     EXPECT_EQ(touching_in_table(s), touching_by_brute_force(s));
   }
+}
+
+/// Pairs closer than the sum of their radii, over all images.
+Pairs touching_over_all_images(const System<2>& s) {
+  Pairs found;
+  for (int i = 0; i < s.state.size(); ++i)
+    for (int j = i + 1; j < s.state.size(); ++j) {
+      const double reach = s.state.radius[i] + s.state.radius[j];
+      const Vec2 r = s.state.position[j] - s.state.position[i];
+      const double height = s.box.length[1], width = s.box.length[0];
+      for (double up = std::ceil((-r[1] - reach) / height); up <= (-r[1] + reach) / height; ++up) {
+        const double x = r[0] + up * s.box.strain * height;
+        for (double along = std::ceil((-x - reach) / width); along <= (-x + reach) / width; ++along)
+          if (norm(Vec2{x + along * width, r[1] + up * height}) < reach) found.insert({i, j});
+      }
+    }
+  return found;
+}
+
+/// One size or sizes 1 to 100; cells of any shape; positions anywhere.
+TEST(NeighborList, FindsEveryTouchingPairOfAnySizesInCellsOfAnyShape) {
+  for (const Vec2& length : {Vec2{50, 40}, Vec2{6, 400}, Vec2{400, 6}})
+    for (const double ratio : {1.0, 3.0, 100.0})
+      for (const double strain : {0.0, 0.7, -3.2, 1e4}) {
+        System<2> s;
+        s.box.length = length;
+        s.box.strain = strain;
+        s.state.resize(400);
+        const double large = 0.24 * std::min(length[0], length[1]);
+        for (int i = 0; i < 400; ++i) {
+          RandomStream draw(6, Purpose::test, static_cast<std::uint64_t>(i));
+          s.state.position[i] = {draw.uniform(-2, 3) * length[0], draw.uniform(-2, 3) * length[1]};
+          s.state.radius[i] = i % 100 == 0 ? large : std::max(large / ratio, 0.05) * draw.uniform(0.5, 1);
+        }
+        NeighborList<2> list;
+        list.update(s);
+        const Pairs right = touching_over_all_images(s);
+        EXPECT_EQ(touching_in_table(s), right) << length[0] << " x " << length[1] << ", " << ratio << ", " << strain;
+        EXPECT_FALSE(right.empty());
+      }
+}
+
+/// Coordinates are no size of a grid: absurd ones find nobody, and corrupt nothing.
+TEST(NeighborList, SitesThatAreAbsurdlyFarAwayMeetNobody) {
+  for (const bool periodic : {false, true})
+    for (const double far : {1e200, -1e200, 1e18, 3e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
+      System<2> s = testing::random_suspension(100, 0.8);
+      s.box.periodic = {periodic, periodic};
+      s.state.position[7] = {far, 3};
+      s.state.position[8] = {3, far};
+      s.state.position[9] = {far, far};
+      NeighborList<2> list;
+      list.update(s);
+      int rows = 0;
+      for (int row = 0; row < s.pairs.size(); ++row)
+        for (const int i : {7, 8, 9}) rows += s.pairs.first[row] == i || s.pairs.second[row] == i;
+      if (!periodic) {
+        EXPECT_EQ(rows, 0) << far;
+      }
+      EXPECT_GT(s.pairs.size(), 100);
+    }
 }
 
 TEST(NeighborList, StaysCompleteWhileDiscsMoveAndTheBoxShears) {

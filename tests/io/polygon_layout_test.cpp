@@ -22,18 +22,18 @@ PolygonScene triangles(const std::vector<Vec2>& places, double strain) {
 }
 
 TEST(PolygonLayout, ShowsABodyInTheMiddleOnceAndOneAtACornerFourTimes) {
-  const std::vector<BodyImage> images = lay_out_bodies(triangles({{5, 4}, {9.6, 7.7}}, 0), 0);
+  const std::vector<DrawnBody> images = lay_out_bodies(triangles({{5, 4}, {9.6, 7.7}}, 0), 0);
   ASSERT_EQ(images.size(), 5u);
   EXPECT_EQ(images[0].lies, Lies::inside);
-  EXPECT_EQ(std::count_if(images.begin(), images.end(), [](const BodyImage& i) { return i.body == 1; }), 4);
-  for (const BodyImage& image : images)
+  EXPECT_EQ(std::count_if(images.begin(), images.end(), [](const DrawnBody& i) { return i.body == 1; }), 4);
+  for (const DrawnBody& image : images)
     if (image.body == 1) { EXPECT_EQ(image.lies, Lies::across); }
 }
 
 TEST(PolygonLayout, MovesWholeBodiesByLatticeVectorsAlone) {
   for (const double strain : {0.0, 0.3, -1.4}) {
     const PolygonScene scene = triangles({{-31, 29}, {9.6, 7.7}, {0.1, -0.3}}, strain);
-    for (const BodyImage& image : lay_out_bodies(scene, 0.5))
+    for (const DrawnBody& image : lay_out_bodies(scene, 0.5))
       EXPECT_NEAR(norm(scene.box.displacement({0, 0}, image.shift)), 0, 1e-12) << image.shift[0];
   }
 }

@@ -45,6 +45,19 @@ class StateFile : public TemporaryFolder {
   }
 };
 
+/// A link that is longer than half the cell is about an image that no rule finds again.
+TEST_F(StateFile, KeepsTheImagesOfLinks) {
+  InitialState s = read(linked_pair);
+  EXPECT_TRUE(s.system.pairs.image.empty());
+  s.system.pairs.image.resize(2);
+  const int row = s.system.pairs.find(0, 1);
+  s.system.pairs.image[row] = {{1, -2, 0}, true};
+  write_state_json(s, in_folder("again.json"));
+  const InitialState again = read_state(in_folder("again.json"));
+  EXPECT_EQ(again.system.pairs.image, s.system.pairs.image);
+  EXPECT_THAT(error_with(R"("fp": 0.125,)", R"("fp": 0.125, "image": [0.5, 0],)"), HasSubstr("not a number of cells"));
+}
+
 TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
   const InitialState s = read(linked_pair);
   EXPECT_EQ(s.units.name, particleshear_units().name);

@@ -63,6 +63,13 @@ TEST_F(SystemArchive, BodiesComeBackBitForBit) {
   expect_same(read_system<3>(written(sample_system_3d())), sample_system_3d());
 }
 
+TEST_F(SystemArchive, KeepsTheImagesOfLinks) {
+  System<2> system = sample_system(5);
+  system.pairs.image.resize(system.pairs.first.size());
+  system.pairs.image.back() = {{-1, 2, 0}, true};
+  EXPECT_EQ(read_system<2>(written(system)).pairs.image, system.pairs.image);
+}
+
 System<2> with_rigid_bodies() {
   System<2> system = random_polygons();
   for (int b : {2, 5}) make_rigid(system, b);

@@ -4,18 +4,18 @@
 
 #include "supple/contact/coincident.hpp"
 #include "supple/contact/record.hpp"
-#include "supple/model/system.hpp"
+#include "supple/model/row_separation.hpp"
 
 namespace supple {
 
-/// The contact of the discs i and j whatever their distance. Arms share the distance d in proportion to the
+/// The contact of the discs of a row whatever their distance. Arms share the distance d in proportion to the
 /// radii (S1-3): the contact point lies between the centres, so that angular momentum is conserved at any
 /// compression or stretch.
 template <int Dim>
 ContactRecord<Dim> disc_contact(const System<Dim>& system, std::int32_t row) {
   const State<Dim>& state = system.state;
   const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
-  const auto separation = system.box.separation(state.position[i], state.position[j]);
+  const auto separation = row_separation(system, row);
   const double d = norm(separation.r);
 
   ContactRecord<Dim> record;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "supple/contact/coincident.hpp"
+#include "supple/model/row_separation.hpp"
 
 namespace supple {
 
@@ -24,7 +25,7 @@ struct ChunkSum {
 constexpr int batch_size = 64;
 using Lane = std::array<double, batch_size>;
 
-/// Rows of the table: vector to the nearest image, cells between the discs, d0 and d^2.
+/// Rows of the table: vector to the image that they are about, cells between the discs, d0 and d^2.
 struct Candidates {
   int begin, count;
   Lane x, y, along, up, d0, d2;
@@ -59,6 +60,17 @@ void separate(const System<2>& system, const Box<2>::Images images, Candidates& 
     c.y[k] = r[1];
     c.along[k] = cells[flow];
     c.up[k] = cells[gradient];
+    c.d2[k] = dot(r, r);
+  }
+  if (system.pairs.image.empty()) return;
+  for (int k = 0; k < c.count; ++k) {
+    const RowImage& image = system.pairs.image[c.begin + k];
+    if (!image.kept) continue;
+    const Vec2 r = row_separation(system, c.begin + k).r;
+    c.x[k] = r[0];
+    c.y[k] = r[1];
+    c.along[k] = image.cells[flow];
+    c.up[k] = image.cells[gradient];
     c.d2[k] = dot(r, r);
   }
 }

@@ -58,13 +58,12 @@ void EdgeCandidates::collect(const System<2>& system, const std::vector<std::int
   const auto consider = [&](std::int32_t site, std::int32_t vertex, std::int32_t image) {
     const Ring ring = ring_of(system.topology, body[vertex]);
     if (ring.is_disc()) return;
-    const Vec2 cells = image < images ? images_.cells()[image] : -images_.cells()[image - images];
     const double reach = state.radius[site] + state.radius[vertex] + system.pairs.skin;
     for (const std::int32_t start : {ring.before(vertex), vertex}) {
       const Vec2 from = closest_on_segment(state.position[site] + shift[image], state.position[start],
                                            state.position[ring.after(start)])
                             .from;
-      if (dot(from, from) < reach * reach) found.push_back({site, body[vertex], start, image, cells});
+      if (dot(from, from) < reach * reach) found.push_back({site, body[vertex], start, image, cells(image)});
     }
   };
 

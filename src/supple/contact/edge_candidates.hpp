@@ -29,10 +29,13 @@ class EdgeCandidates {
   const std::vector<std::int32_t>& group_begin() const { return group_begin_; }
   /// What to add to the site's position before it is compared with the edge, for the box as it is now.
   const std::vector<Vec2>& shifts(const Box<2>& box);
-  /// Whether that image is the one of no shift.
-  bool is_home(std::int32_t image) const {
-    return image % static_cast<std::int32_t>(images_.cells().size()) == 0;
+  /// Cells by which that image shifts the site.
+  Vec2 cells(std::int32_t image) const {
+    const auto half = static_cast<std::int32_t>(images_.cells().size());
+    return image < half ? images_.cells()[image] : -images_.cells()[image - half];
   }
+  /// Cells that a row subtracts from second - first.
+  const Vec2& cells_of_row(std::int32_t row) const { return images_.cells()[images_.index()[row]]; }
   /// Rows of two bodies of one site each, and their images (RowImages).
   const std::vector<std::int32_t>& disc_rows() const { return disc_rows_; }
   RowImages<2>& images() { return images_; }

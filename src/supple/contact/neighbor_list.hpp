@@ -1,29 +1,27 @@
-/// Which pairs may touch: a cell grid and a Verlet skin.
+/// Which pairs may touch: grids of cells and a Verlet skin.
 #pragma once
 #include <vector>
 
-#include "supple/model/system.hpp"
+#include "supple/contact/reach.hpp"
 
 namespace supple {
 
 /// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
 inline constexpr double default_skin = 0.4;
 
-/// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
-enum class Meeting { sites, facets };
-
 /// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii (Meeting::facets: and
 /// half of the longest facets at either site), and every permanent link however stretched, has a row; pairs within the
 /// skin have one too. Rows that leave lose their history; permanent ones stay. Stale when a site has moved, relative to
 /// the affine flow and the change of the box since the last build, so far that a pair without a row could touch: 2
-/// max|u| + (|strain change| + |relative change of lengths|) * reach > skin.
+/// max|u| + (|strain change| + |relative change of lengths|) * reach > skin. A periodic cell in which a site could meet
+/// another body on two sides (least_period) is refused, also where it has shrunk: too few particles are wrong input.
 template <int Dim>
 class NeighborList {
  public:
   explicit NeighborList(double relative_skin = default_skin, Meeting meeting = Meeting::sites)
       : relative_skin_(relative_skin), meeting_(meeting) {}
 
-  /// Rebuilds if stale. Returns whether it did.
+  /// Rebuilds if stale. Returns whether it did. Throws where a period is too short.
   bool update(System<Dim>& system);
   /// Forces a build at the next update (after sites, radii, links or the box were changed by hand).
   void invalidate() { built_ = false; }
@@ -35,11 +33,11 @@ class NeighborList {
   bool stale(const System<Dim>& system) const;
   void build(System<Dim>& system);
 
-  std::vector<double> reach_of_sites(const System<Dim>& system) const;
+  void require_periods(const Box<Dim>& box) const;
 
   double relative_skin_;
   Meeting meeting_;
-  double skin_ = 0, reach_ = 0;
+  double skin_ = 0, reach_ = 0, least_period_ = 0;
   bool built_ = false;
   std::uint64_t version_ = 0;  ///< of the table that was made last; never given twice
   long builds_ = 0;

@@ -36,7 +36,15 @@ struct ContactRecord {
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
   std::int32_t up = 0;    ///< cells between the two sides along the gradient
   bool crosses = false;   ///< whether the contact is with a periodic image
+  /// Cells between the sites as they stand: to subtract from those of positive weight less the others.
+  std::array<std::int32_t, Dim> cells{};
 
+  void set_cells(const Vec<Dim>& n) {
+    for (int d = 0; d < Dim; ++d) {
+      cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(n[d]);
+      crosses = crosses || n[d] != 0;
+    }
+  }
   double distance() const { return reach + gap; }
   void add(std::int32_t a, double c, const Vec<Dim>& lever = {}) {
     site[sites] = a;

@@ -107,7 +107,7 @@ std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
     record.reach = sigma;
     record.gap = distance - sigma;
     record.row = row;
-    record.crosses = images_.index()[row] != 0;
+    record.set_cells(images_.cells()[images_.index()[row]]);
     record.add(i, -1);
     record.add(j, +1);
     records.push_back(record);

@@ -1,4 +1,4 @@
-/// Which periodic image each row of the pair table is about: found when the list is built, good until the next build.
+/// Which periodic image each row of the pair table is about.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,13 +8,14 @@
 
 namespace supple {
 
-/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. The image that is near when a
-/// row is made stays near while the row lives, and a few images serve all rows: an evaluation looks its shift up
-/// instead of searching for it.
+/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. Where every period is at least
+/// twice the distance to which rows are made, the image that is near when a row is made is the only one that can touch
+/// while the row lives; a few images serve all rows, and an evaluation looks its shift up instead of searching for it.
+/// In smaller cells the nearest image is found at every evaluation.
 template <int Dim>
 class RowImages {
  public:
-  /// Finds the images again if the rows have changed. Returns whether they had.
+  /// Finds the images again if they may have changed. Returns whether they had, or the rows had.
   bool update(const System<Dim>& system);
   /// Of each row: index into shifts().
   const std::vector<std::int32_t>& index() const { return index_; }
@@ -24,8 +25,12 @@ class RowImages {
   const std::vector<Vec<Dim>>& shifts(const Box<Dim>& box);
 
  private:
+  void find(const System<Dim>& system);
+  bool good_while_rows_live(const System<Dim>& system) const;
+
   std::vector<std::int32_t> index_;
   std::vector<Vec<Dim>> cells_, shifts_;
+  std::vector<Vec<Dim>> before_;  ///< the image of each row before the present search
   std::uint64_t version_ = 0;
 };
 

@@ -246,20 +246,20 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   candidates_.update(system);
   std::vector<ContactRecord<2>> records;
   std::int32_t touches = 0;
-  const auto begin = [&](const Touch& touch, double sigma, double factor, bool crosses) -> ContactRecord<2>& {
+  const auto begin = [&](const Touch& touch, double sigma, double factor, const Vec2& cells) -> ContactRecord<2>& {
     ContactRecord<2>& record = records.emplace_back();
     record.normal = touch.normal;
     record.branch = touch.distance * touch.normal;
     record.reach = sigma;
     record.gap = touch.distance - sigma;
     record.multiplicity = factor;
-    record.crosses = crosses;
+    record.set_cells(cells);
     record.touch = touches;
     return record;
   };
   walk_discs(system, candidates_,
              [&](std::int32_t row, std::int32_t i, std::int32_t j, const Touch& touch, double sigma) {
-               ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.images().index()[row] != 0);
+               ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
                record.row = row;
                record.add(i, -1);
                record.add(j, +1);
@@ -270,7 +270,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   walk(
       scene, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part part, const Touch& touch, double sigma, int sign) {
-        ContactRecord<2>& record = begin(touch, sigma, sign * c.scale, !candidates_.is_home(c.image));
+        ContactRecord<2>& record = begin(touch, sigma, sign * c.scale, -candidates_.cells(c.image));
         record.add(c.site, 1);
         record.add(c.start, -(1 - touch.along));
         if (part == Part::edge) record.add(c.end, -touch.along);

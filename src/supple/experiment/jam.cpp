@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/contact/reach.hpp"
 #include "supple/core/error.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
@@ -13,15 +14,12 @@ namespace supple {
 
 void require_room(const Packing& packing) {
   const System<2>& s = packing.system;
-  double least = 0, radius = 0;
-  for (const double r : s.state.radius) radius = std::max(radius, r);
-  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b)
-    least = std::max(least, s.topology.body_size(b) == 1 ? 4 * s.state.radius[s.topology.body_begin(b)]
-                                                         : 2 * outer_radius(s, b) + 2 * radius);
-  if (s.box.length[0] < least)
+  const BodyContacts* contacts = packing.field->bodies();
+  const std::vector<double> reach = reach_of_sites(s, contacts ? contacts->meeting() : Meeting::sites);
+  if (const auto period = short_period(s.box, least_period(s, reach)))
     throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}",
-                                  s.topology.body_count(s.state.size()), s.box.length[0]),
-                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", least),
+                                  s.topology.body_count(s.state.size()), period->length),
+                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", period->least),
                       "raise bodies.N");
 }
 

@@ -36,10 +36,10 @@ std::int32_t next_of(const PolygonScene& scene, const std::vector<std::int32_t>&
 
 }  // namespace
 
-std::vector<BodyImage> lay_out_bodies(const PolygonScene& scene, double margin) {
+std::vector<DrawnBody> lay_out_bodies(const PolygonScene& scene, double margin) {
   const std::array<Vec2, 4> corner = cell_corners(scene.box);
   const std::vector<Vec2> home = placement_shifts(scene, Placement::in_cell);
-  std::vector<BodyImage> images;
+  std::vector<DrawnBody> images;
   const std::vector<Vec2> cells = neighbour_cells(scene.box);
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (std::int32_t b = 0; b < scene.bodies(); ++b) {

@@ -8,7 +8,7 @@
 namespace supple {
 
 /// A body or a periodic image of it: its sites are at position + shift.
-struct BodyImage {
+struct DrawnBody {
   std::int32_t body;
   Vec2 shift;
   Lies lies;
@@ -23,7 +23,7 @@ struct ContactImage {
 
 /// The bodies that come within `margin` of the leaning cell: each body once where it lies in the cell, in their order,
 /// then the images.
-std::vector<BodyImage> lay_out_bodies(const PolygonScene& scene, double margin);
+std::vector<DrawnBody> lay_out_bodies(const PolygonScene& scene, double margin);
 
 /// The contacts that come within `margin` of it, the shortest way between what touches.
 std::vector<ContactImage> lay_out_contacts(const PolygonScene& scene, double margin);

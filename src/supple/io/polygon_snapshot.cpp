@@ -92,7 +92,7 @@ class PolygonPage {
     for (const Vec2& x : points) out.push_back(page_.on_page(x + shift));
     return out;
   }
-  std::vector<Point> ring_on_page(const BodyImage& image) const {
+  std::vector<Point> ring_on_page(const DrawnBody& image) const {
     const auto [first, last] = scene_.body(image.body);
     return on_page({scene_.position.begin() + first, scene_.position.begin() + last}, image.shift);
   }
@@ -100,9 +100,9 @@ class PolygonPage {
   /// Bodies and contacts, faded to this share of white, but for those that lie where nothing shows.
   void draw_matter(double whiteness, Lies skipped) {
     const auto shade = [&](Color c) { return mix(c, white, whiteness); };
-    for (const BodyImage& image : bodies_)
+    for (const DrawnBody& image : bodies_)
       if (image.lies != skipped) fill(image, shade(color_[image.body]), shade(ink));
-    for (const BodyImage& image : bodies_) {
+    for (const DrawnBody& image : bodies_) {
       if (image.lies == skipped || is_smooth(image.body)) continue;
       for (const std::vector<Vec2>& piece : pieces_[image.body])
         canvas_.polyline(on_page(piece, image.shift), {shade(ink), outline_});
@@ -117,7 +117,7 @@ class PolygonPage {
   }
 
   /// The polygon, the discs on its vertices and, thinly, the ring through them.
-  void fill(const BodyImage& image, Color color, Color rim) {
+  void fill(const DrawnBody& image, Color color, Color rim) {
     const std::vector<Point> ring = ring_on_page(image);
     const std::int32_t first = scene_.body(image.body).first;
     if (is_smooth(image.body)) {  // lines with round corners cover all within the radius of the polygon
@@ -211,7 +211,7 @@ class PolygonPage {
   const PolygonSnapshotOptions& options_;
   CellPage page_;
   Canvas& canvas_;
-  std::vector<BodyImage> bodies_;
+  std::vector<DrawnBody> bodies_;
   std::vector<ContactImage> contacts_;
   std::vector<std::vector<std::vector<Vec2>>> pieces_;  // of the outline of each body, at its positions
   std::vector<Color> color_;

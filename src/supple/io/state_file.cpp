@@ -68,7 +68,20 @@ struct Neighbor {
   ContactState state;
   double elongation;
   std::string where;
+  RowImage image;  ///< as `from` sees it; not in states of the package
 };
+
+RowImage read_image(const Node& image) {
+  if (image.size() != 2) throw image.fault("is not a pair of cells");
+  RowImage out;
+  out.kept = true;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const double cells = image[d].number();
+    if (cells != std::floor(cells) || std::abs(cells) > 1e9) throw image[d].fault("is not a number of cells");
+    out.cells[d] = static_cast<std::int32_t>(cells);
+  }
+  return out;
+}
 
 Neighbor read_neighbor(const Node& entry, int from, const State<2>& state) {
   const Node j = entry.at("j");
@@ -76,7 +89,8 @@ Neighbor read_neighbor(const Node& entry, int from, const State<2>& state) {
   if (to != std::floor(to) || to < 0 || to >= state.size() || to == from)
     throw j.fault("is not the number of another sphere");
   const Neighbor out{from, static_cast<int>(to), contact_state(entry.at("type")), entry.at("fp").number(),
-                     "neighbors[" + std::to_string(from) + "]"};
+                     "neighbors[" + std::to_string(from) + "]",
+                     entry.has("image") ? read_image(entry.at("image")) : RowImage{}};
   const double rest = state.radius[static_cast<std::size_t>(from)] + state.radius[static_cast<std::size_t>(out.to)];
   if (const Node eq = entry.at("eq");
       out.state == ContactState::permanent && std::abs(eq.number() - rest) > 1e-9 * rest)
@@ -110,10 +124,13 @@ void read_neighbors(const Node& lists, System<2>& system) {
     pairs.first.push_back(own.from);
     pairs.second.push_back(own.to);
     pairs.state.push_back(own.state);
+    pairs.image.push_back(own.image);
     pairs.history.insert(pairs.history.end(), {own.elongation, entries[e + 1].elongation});
     ++pairs.begin[static_cast<std::size_t>(own.from) + 1];
   }
   for (std::size_t i = 1; i < pairs.begin.size(); ++i) pairs.begin[i] += pairs.begin[i - 1];
+  if (std::find_if(pairs.image.begin(), pairs.image.end(), [](const RowImage& i) { return i.kept; }) == pairs.image.end())
+    pairs.image.clear();
 }
 
 bool holds(const HeldKeys& keys, const std::string& key, const KeyValue& value) {
@@ -218,11 +235,14 @@ Json neighbors_json(const System<2>& system) {
     const auto width = static_cast<std::size_t>(pairs.width);
     const double rest =
         pairs.state[r] == ContactState::permanent ? system.state.radius[i] + system.state.radius[j] : 0;
-    const auto entry = [&](std::size_t other, double elongation) {
-      return Json{{"j", other}, {"type", type_name(pairs.state[r])}, {"fp", elongation}, {"eq", rest}};
+    const auto entry = [&](std::size_t other, double elongation, int side) {
+      Json e{{"j", other}, {"type", type_name(pairs.state[r])}, {"fp", elongation}, {"eq", rest}};
+      if (!pairs.image.empty() && pairs.image[r].kept)
+        e["image"] = {side * pairs.image[r].cells[0], side * pairs.image[r].cells[1]};
+      return e;
     };
-    lists[i].push_back(entry(j, pairs.history[width * r]));
-    lists[j].push_back(entry(i, pairs.history[width * r + width - 1]));
+    lists[i].push_back(entry(j, pairs.history[width * r], 1));
+    lists[j].push_back(entry(i, pairs.history[width * r + width - 1], -1));
   }
   return lists;
 }

@@ -42,6 +42,8 @@ void for_each_energy(Parts& parts, Visit&& visit) {
   visit("sliding_power", parts.sliding_power);
 }
 
+constexpr std::size_t row_image_size = 4;  ///< kept, and the cells in three directions
+
 void write_pairs(h5::Group group, const PairTable& pairs) {
   group.set("width", std::int64_t{pairs.width});
   group.write("begin", pairs.begin);
@@ -50,6 +52,29 @@ void write_pairs(h5::Group group, const PairTable& pairs) {
   group.write("state", codes(pairs.state)).set("values", "0 open, 1 stick, 2 slip, 3 permanent");
   group.write("history", pairs.history,
               {static_cast<std::uint64_t>(pairs.size()), static_cast<std::uint64_t>(pairs.width)});
+  if (pairs.image.empty()) return;
+  std::vector<std::int32_t> image;
+  for (const RowImage& row : pairs.image) {
+    image.push_back(row.kept);
+    image.insert(image.end(), row.cells.begin(), row.cells.end());
+  }
+  group.write("image", image, {static_cast<std::uint64_t>(pairs.size()), row_image_size})
+      .set("meaning", "1: the row keeps its image, 0: the nearest; cells to subtract from second - first");
+}
+
+void read_images(const h5::Group& group, PairTable& pairs) {
+  const auto image = group.read<std::int32_t>("image");
+  const auto rows = static_cast<std::size_t>(pairs.size());
+  expect_state(image.size() == rows * row_image_size, group, "columns of the pairs differ in length");
+  pairs.image.resize(rows);
+  for (std::size_t r = 0; r < rows; ++r) {
+    const std::int32_t* from = &image[r * row_image_size];
+    pairs.image[r].kept = *from != 0;
+    for (std::int32_t& cells : pairs.image[r].cells) {
+      cells = *++from;
+      expect_state(std::abs(static_cast<double>(cells)) < 1e9, group, "an image is absurdly far");
+    }
+  }
 }
 
 PairTable read_pairs(const h5::Group& group, int sites) {
@@ -74,6 +99,7 @@ PairTable read_pairs(const h5::Group& group, int sites) {
   for (std::size_t r = 0; r < rows; ++r)
     expect_state(0 <= pairs.first[r] && pairs.first[r] < pairs.second[r] && pairs.second[r] < sites && states[r] <= 3,
            group, "a pair of sites that do not exist, or in no known state");
+  if (group.has("image")) read_images(group, pairs);
   return pairs;
 }
 

@@ -42,6 +42,13 @@ struct Box {
       }
       return cells;
     }
+    /// Subtracts that many cells from r, by the operations of reduce().
+    void subtract(const Vec<Dim>& cells, Vec<Dim>& r) const {
+      r[gradient] -= cells[gradient] * length[gradient];
+      r[flow] -= cells[gradient] * shift;
+      for (int d = 0; d < Dim; ++d)
+        if (d != gradient) r[d] -= cells[d] * length[d];
+    }
   };
   Images images() const {
     Images rule{length, {}, strain * length[gradient]};
@@ -51,9 +58,14 @@ struct Box {
 
   Separation separation(const Vec<Dim>& a, const Vec<Dim>& b) const {
     Separation s{b - a, 0, false};
-    const Vec<Dim> cells = images().reduce(s.r);
-    s.up = static_cast<int>(cells[gradient]);
-    for (int d = 0; d < Dim; ++d) s.crosses = s.crosses || cells[d] != 0;
+    note(images().reduce(s.r), s);
+    return s;
+  }
+  /// Vector from a to the image of b that many cells away, however far.
+  Separation separation(const Vec<Dim>& a, const Vec<Dim>& b, const Vec<Dim>& cells) const {
+    Separation s{b - a, 0, false};
+    images().subtract(cells, s.r);
+    note(cells, s);
     return s;
   }
 
@@ -74,17 +86,24 @@ struct Box {
     return u;
   }
 
-  /// Brings x into the cell and changes v by the velocity of the boundary that it crossed.
-  void wrap(Vec<Dim>& x, Vec<Dim>& v) const {
+  /// Brings x into the cell and changes v by the velocity of the boundary that it crossed. Returns the cells that were
+  /// subtracted, by direction.
+  Vec<Dim> wrap(Vec<Dim>& x, Vec<Dim>& v) const {
+    Vec<Dim> subtracted{};
     const auto outside = [&](int d) { return periodic[d] && !(0 <= x[d] && x[d] < length[d]); };
     if (outside(gradient)) {
       const double cells = std::floor(x[gradient] / length[gradient]);
       x[gradient] -= cells * length[gradient];
       x[flow] -= cells * (strain * length[gradient]);
       v[flow] -= cells * (strain_rate * length[gradient]);
+      subtracted[gradient] = cells;
     }
-    for (int d = 0; d < Dim; ++d)
-      if (d != gradient && outside(d)) x[d] -= std::floor(x[d] / length[d]) * length[d];
+    for (int d = 0; d < Dim; ++d) {
+      if (d == gradient || !outside(d)) continue;
+      subtracted[d] = std::floor(x[d] / length[d]);
+      x[d] -= subtracted[d] * length[d];
+    }
+    return subtracted;
   }
 
   Vec<Dim> centre() const { return 0.5 * length; }
@@ -96,6 +115,10 @@ struct Box {
   }
 
  private:
+  static void note(const Vec<Dim>& cells, Separation& s) {
+    s.up = static_cast<int>(cells[gradient]);
+    for (int d = 0; d < Dim; ++d) s.crosses = s.crosses || cells[d] != 0;
+  }
   static constexpr std::array<bool, Dim> all_periodic() {
     std::array<bool, Dim> p{};
     for (bool& x : p) x = true;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "supple/core/error.hpp"
+#include "supple/model/row_separation.hpp"
 
 namespace supple {
 namespace {
@@ -19,7 +20,6 @@ void set_without_history(PairTable& pairs, std::int32_t row, ContactState state)
 }  // namespace
 
 std::vector<TouchingPair> touching_pairs(const System<2>& system) {
-  const auto& position = system.state.position;
   const auto& radius = system.state.radius;
   const PairTable& pairs = system.pairs;
   if (static_cast<int>(pairs.begin.size()) != system.state.size() + 1)
@@ -28,7 +28,7 @@ std::vector<TouchingPair> touching_pairs(const System<2>& system) {
   std::vector<TouchingPair> touching;
   for (std::int32_t row = 0; row < pairs.size(); ++row) {
     const std::int32_t i = pairs.first[row], j = pairs.second[row];
-    const auto [r, up, crosses] = system.box.separation(position[i], position[j]);
+    const auto [r, up, crosses] = row_separation(system, row);
     if (norm(r) < radius[i] + radius[j]) touching.push_back({row, i, j, r, crosses});
   }
   return touching;
@@ -39,12 +39,10 @@ void cut(PairTable& pairs, std::int32_t row) { set_without_history(pairs, row, C
 
 std::vector<std::int32_t> link_rows(const System<2>& system, LinkKind kind) {
   const PairTable& pairs = system.pairs;
-  const auto& position = system.state.position;
   std::vector<std::int32_t> rows;
   for (std::int32_t row = 0; row < pairs.size(); ++row) {
     if (pairs.state[row] != ContactState::permanent) continue;
-    if (kind == LinkKind::all ||
-        !system.box.separation(position[pairs.first[row]], position[pairs.second[row]]).crosses)
+    if (kind == LinkKind::all || !row_separation(system, row).crosses)
       rows.push_back(row);
   }
   return rows;

@@ -22,6 +22,15 @@ void index_rows(PairTable& pairs, int sites) {
   for (int i = 0; i < sites; ++i) pairs.begin[i + 1] += pairs.begin[i];
 }
 
+void follow_images(PairTable& pairs, std::int32_t i, const std::array<std::int32_t, 3>& cells) {
+  for (std::size_t row = 0; row < pairs.image.size(); ++row) {
+    RowImage& image = pairs.image[row];
+    if (!image.kept || (pairs.first[row] != i && pairs.second[row] != i)) continue;
+    const int sign = pairs.first[row] == i ? 1 : -1;
+    for (std::size_t d = 0; d < cells.size(); ++d) image.cells[d] += sign * cells[d];
+  }
+}
+
 void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j, ContactState state) {
   if (static_cast<int>(pairs.begin.size()) != sites + 1) index_rows(pairs, sites);
   int row = pairs.find(i, j);
@@ -32,6 +41,7 @@ void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j,
     pairs.second.insert(pairs.second.begin() + row, j);
     pairs.state.insert(pairs.state.begin() + row, state);
     pairs.history.insert(pairs.history.begin() + static_cast<std::ptrdiff_t>(row) * pairs.width, pairs.width, 0.0);
+    if (!pairs.image.empty()) pairs.image.insert(pairs.image.begin() + row, RowImage{});
     for (int k = i + 1; k <= sites; ++k) ++pairs.begin[k];
     ++pairs.version;
   }

@@ -1,5 +1,6 @@
 /// Pairs of sites that touch, are linked, or may soon touch, with the memory of each contact.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -9,6 +10,14 @@ namespace supple {
 /// Tangential state of a pair. A permanent link never opens.
 enum class ContactState : std::uint8_t { open = 0, stick = 1, slip = 2, permanent = 3 };
 
+/// Which image of its second site a row is about: the cells to subtract from x_second - x_first, by direction. Any
+/// other row is about the nearest image.
+struct RowImage {
+  std::array<std::int32_t, 3> cells{};
+  bool kept = false;  ///< false: the nearest image, whichever that is
+  bool operator==(const RowImage&) const = default;
+};
+
 /// Rows first < second in ascending (first, second): the canonical order of every sum over contacts, which does not
 /// depend on when the neighbour list was built. Rows of site i: [begin[i], begin[i+1]).
 /// `history` holds `width` numbers a row: what the law remembers (tangential elongation [length]).
@@ -17,12 +26,17 @@ struct PairTable {
   std::vector<ContactState> state;
   std::vector<double> history;
   int width = 1;
+  /// Of each row, while some link is so long that its image need not be the nearest one; else empty. A link keeps its
+  /// image for life (NeighborList notes it, wrap_site follows it over the boundary).
+  std::vector<RowImage> image;
   std::uint64_t version = 0;  ///< changes whenever rows come or go
   /// How far pairs without a row were from touching when the table was made [length]; infinite for rows made by hand.
   double skin = std::numeric_limits<double>::infinity();
+  /// Distance within which every pair has a row, links apart [length]; infinite for rows made by hand.
+  double reach = std::numeric_limits<double>::infinity();
 
   int size() const { return static_cast<int>(first.size()); }
-  void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); }
+  void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); image.clear(); }
   void resize(int rows) {
     first.resize(rows);
     second.resize(rows);
@@ -47,6 +61,9 @@ void set_history_width(PairTable& pairs, int width);
 
 /// Fills `begin` from `first`, for that many sites.
 void index_rows(PairTable& pairs, int sites);
+
+/// Site i was moved by that many cells, subtracted: its rows are about the same images as before.
+void follow_images(PairTable& pairs, std::int32_t i, const std::array<std::int32_t, 3>& cells);
 
 /// Sets the state of the pair (i, j), i < j, adding its row where it has none, and zeroes its history.
 void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j, ContactState state);

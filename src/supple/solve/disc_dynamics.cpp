@@ -4,6 +4,7 @@
 #include <string>
 
 #include "supple/core/error.hpp"
+#include "supple/model/row_separation.hpp"
 
 namespace supple {
 
@@ -42,7 +43,7 @@ void drift(System<2>& system, double dt) {
   for (int i = 0; i < s.size(); ++i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
-    system.box.wrap(s.position[i], s.velocity[i]);
+    wrap_site(system, i);
     finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   }
   if (finite == 0) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "supple/contact/coincident.hpp"
+#include "supple/model/row_separation.hpp"
 
 namespace supple {
 namespace {
@@ -24,7 +25,7 @@ void for_batches(int rows, Body&& body) {
   for (int begin = 0; begin < rows; begin += batch_size) body(begin, std::min(batch_size, rows - begin));
 }
 
-/// The nearest image of a disc as another one sees it.
+/// An image of a disc as another one sees it.
 struct Image {
   double n_x, n_y, distance;
   double up;       ///< cells between them along the gradient
@@ -45,9 +46,13 @@ struct Images {
 
   Image nearest(double x, double y) const {
     const double up = std::floor(y * per_height + 0.5);
+    const double along = std::floor((x - up * shift) * per_width + 0.5);
+    return at(x, y, along, up);
+  }
+  /// The image that many cells away.
+  Image at(double x, double y, double along, double up) const {
     y -= up * height;
     x -= up * shift;
-    const double along = std::floor(x * per_width + 0.5);
     x -= along * width;
     const double distance = std::sqrt(x * x + y * y), inverse = 1 / (distance > 0 ? distance : 1.0);
     return {x * inverse, y * inverse, distance, up, up * up + along * along};
@@ -85,24 +90,38 @@ void gather(ForceBatch& b, int begin, int count, const System<2>& system, const 
   }
 }
 
-/// Nearest images, and how they move relative to each other; all zero where the discs neither touch nor are
-/// linked. Numbers come by value: the compiler then knows that no lane aliases them.
-void locate(ForceBatch& b, int count, const Images images) {
+/// visit(c, image) for each row of a batch that keeps an image of its own: links, while there are long ones.
+template <class Visit>
+void for_kept_images(const PairTable& pairs, int begin, int count, const Lanes<2>& separation, const Images& images,
+                     const Visit& visit) {
+  if (pairs.image.empty()) return;
+  for (int c = 0; c < count; ++c)
+    if (const RowImage& row = pairs.image[begin + c]; row.kept)
+      visit(c, images.at(separation[c][0], separation[c][1], row.cells[flow], row.cells[gradient]));
+}
+
+/// An image, and how it moves; all zero where the discs neither touch nor are linked.
+[[gnu::always_inline]] inline void locate(ForceBatch& b, int c, const Image& image, double jump) {
+  const double active = std::max(b.linked[c], image.distance < b.rim[c][0] ? 1.0 : 0.0);
+  const double n_x = active * image.n_x, n_y = active * image.n_y;
+  const double v_x = b.velocity[c][0] - image.up * jump, v_y = b.velocity[c][1];
+  b.active[c] = active;
+  b.n_x[c] = n_x;
+  b.n_y[c] = n_y;
+  b.distance[c] = image.distance;
+  b.up[c] = active * image.up;
+  b.crosses[c] = active * image.crosses;
+  b.v_n[c] = v_x * n_x + v_y * n_y;
+  b.v_t[c] = active * sliding_speed(n_x, n_y, v_x, v_y, b.rim[c][1]);
+}
+
+/// Numbers come by value: the compiler then knows that no lane aliases them.
+void locate_all(ForceBatch& b, int begin, int count, const PairTable& pairs, const Images images) {
 #pragma omp simd
-  for (int c = 0; c < count; ++c) {
-    const Image image = images.nearest(b.separation[c][0], b.separation[c][1]);
-    const double active = std::max(b.linked[c], image.distance < b.rim[c][0] ? 1.0 : 0.0);
-    const double n_x = active * image.n_x, n_y = active * image.n_y;
-    const double v_x = b.velocity[c][0] - image.up * images.jump, v_y = b.velocity[c][1];
-    b.active[c] = active;
-    b.n_x[c] = n_x;
-    b.n_y[c] = n_y;
-    b.distance[c] = image.distance;
-    b.up[c] = active * image.up;
-    b.crosses[c] = active * image.crosses;
-    b.v_n[c] = v_x * n_x + v_y * n_y;
-    b.v_t[c] = active * sliding_speed(n_x, n_y, v_x, v_y, b.rim[c][1]);
-  }
+  for (int c = 0; c < count; ++c)
+    locate(b, c, images.nearest(b.separation[c][0], b.separation[c][1]), images.jump);
+  for_kept_images(pairs, begin, count, b.separation, images,
+                  [&](int c, const Image& image) { locate(b, c, image, images.jump); });
 }
 
 /// Forces, and elongations if the step is accepted.
@@ -193,19 +212,25 @@ void gather(MoveBatch& b, int begin, int count, double dt, const System<2>& syst
   }
 }
 
-void add_elongation(MoveBatch& b, int count, const double* __restrict trial_history,
-                    double* __restrict history, const Images images) {
+/// Elongation as the second disc sees it, which is moved after the first.
+[[gnu::always_inline]] inline double elongation_back(const MoveBatch& b, int c, const Image& image, double jump) {
+  const double v_x = b.velocity[c][0] - image.up * jump;
+  return b.time[c] * sliding_speed(image.n_x, image.n_y, v_x, b.velocity[c][1], b.rolling[c]);
+}
+
+void add_elongation(MoveBatch& b, int begin, int count, const double* __restrict trial_history,
+                    double* __restrict history, const PairTable& pairs, const Images images) {
 #pragma omp simd
   for (int c = 0; c < count; ++c) {
     const double v_y = b.velocity[c][1], rolling = b.rolling[c];
     const double v_x = b.velocity[c][0] - b.up[c] * images.jump;
     history[2 * c] = trial_history[2 * c] + b.time[c] * sliding_speed(b.n_x[c], b.n_y[c], v_x, v_y, rolling);
-
     const Image image = images.nearest(b.separation[c][0], b.separation[c][1]);
-    const double v_x_back = b.velocity[c][0] - image.up * images.jump;
-    history[2 * c + 1] =
-        trial_history[2 * c + 1] + b.time[c] * sliding_speed(image.n_x, image.n_y, v_x_back, v_y, rolling);
+    history[2 * c + 1] = trial_history[2 * c + 1] + elongation_back(b, c, image, images.jump);
   }
+  for_kept_images(pairs, begin, count, b.separation, images, [&](int c, const Image& image) {
+    history[2 * c + 1] = trial_history[2 * c + 1] + elongation_back(b, c, image, images.jump);
+  });
 }
 
 }  // namespace
@@ -230,7 +255,7 @@ void ParticleShearContacts::evaluate(const System<2>& system, const ParticleShea
   ForceBatch batch;
   for_batches(pairs.size(), [&](int begin, int count) {
     gather(batch, begin, count, system, rim_.data());
-    locate(batch, count, images);
+    locate_all(batch, begin, count, pairs, images);
     respond(batch, count, &pairs.history[2 * begin], &out.trial_history[2 * begin], constants);
     scatter(batch, begin, count, pairs, out, as_first_.data(), as_second_.data());
   });
@@ -248,7 +273,8 @@ void ParticleShearContacts::elongate(System<2>& system, const Evaluation<2>& eva
   MoveBatch batch;
   for_batches(pairs.size(), [&](int begin, int count) {
     gather(batch, begin, count, dt, system, evaluation, rim_.data());
-    add_elongation(batch, count, &evaluation.trial_history[2 * begin], &pairs.history[2 * begin], images);
+    add_elongation(batch, begin, count, &evaluation.trial_history[2 * begin], &pairs.history[2 * begin], pairs,
+                   images);
   });
   std::copy(evaluation.trial_state.begin(), evaluation.trial_state.end(), pairs.state.begin());
 }

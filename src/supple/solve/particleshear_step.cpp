@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/model/row_separation.hpp"
 #include "supple/solve/disc_dynamics.hpp"
 
 namespace supple {
@@ -38,7 +39,7 @@ void move(System<2>& system, double dt) {
   for (int i = 0; i < s.size(); ++i) {
     s.angle[i] += s.spin[i] * dt;
     s.position[i] += dt * s.velocity[i];
-    system.box.wrap(s.position[i], s.velocity[i]);
+    wrap_site(system, i);
     finite += 0 * (s.position[i][0] + s.position[i][1] + s.angle[i]);
   }
   if (finite == 0) return;

@@ -1,0 +1,70 @@
+#include "supple/contact/reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace supple {
+
+template <int Dim>
+std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting) {
+  std::vector<double> reach = system.state.radius;
+  if (meeting == Meeting::sites) return reach;
+  std::vector<double> longest(reach.size());
+  for (const auto& facet : system.topology.facet)
+    for (int a = 0; a < Dim; ++a)
+      for (int b = 0; b < a; ++b) {
+        const double length = norm(system.state.position[facet[a]] - system.state.position[facet[b]]);
+        for (const std::int32_t site : {facet[a], facet[b]}) longest[site] = std::max(longest[site], length);
+      }
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += 0.5 * longest[i];
+  return reach;
+}
+
+namespace {
+
+/// Width of the smallest circle round the mean of the sites that holds the body.
+template <int Dim>
+double width_of_body(const State<Dim>& state, std::int32_t begin, std::int32_t end) {
+  Vec<Dim> sum{};
+  for (std::int32_t i = begin; i < end; ++i) sum += state.position[i] - state.position[begin];
+  const Vec<Dim> centre = state.position[begin] + (1.0 / (end - begin)) * sum;
+  double radius = 0;
+  for (std::int32_t i = begin; i < end; ++i)
+    radius = std::max(radius, norm(state.position[i] - centre) + state.radius[i]);
+  return 2 * radius;
+}
+
+}  // namespace
+
+template <int Dim>
+double least_period(const System<Dim>& system, const std::vector<double>& reach) {
+  const Topology<Dim>& topology = system.topology;
+  const int bodies = topology.body_count(system.state.size());
+  double width = 0, largest = 0, second = 0;  // of bodies; reach of the two that reach farthest
+  for (int b = 0; b < bodies; ++b) {
+    const std::int32_t begin = topology.body_begin(b), end = topology.body_end(b);
+    if (begin == end) continue;
+    const double own = *std::max_element(reach.begin() + begin, reach.begin() + end);
+    second = std::max(second, std::min(own, largest));
+    largest = std::max(largest, own);
+    width = std::max(width, end - begin == 1 ? 2 * system.state.radius[begin]
+                                             : width_of_body(system.state, begin, end));
+  }
+  return std::max(width, bodies > 1 ? 2 * (largest + second) : 0.0);
+}
+
+Error ShortPeriod::error(ErrorKind kind) const {
+  return Error(kind,
+               fmt::format("the period of the cell along {} is {:.6g}: below {:.6g} a particle meets itself or a "
+                           "neighbour on two sides, and only the nearest image would count",
+                           "xyz"[direction], length, least),
+               "take a larger cell, or raise bodies.N or particles.N");
+}
+
+template std::vector<double> reach_of_sites(const System<2>&, Meeting);
+template std::vector<double> reach_of_sites(const System<3>&, Meeting);
+template double least_period(const System<2>&, const std::vector<double>&);
+template double least_period(const System<3>&, const std::vector<double>&);
+
+}  // namespace supple

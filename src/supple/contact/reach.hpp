@@ -1,0 +1,38 @@
+/// How far sites reach, and how long the periods of a cell must be for them.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "supple/core/error.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
+enum class Meeting { sites, facets };
+
+/// Radii within which sites may meet something [length]: their own, and half of the longest facet there.
+template <int Dim>
+std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting);
+
+/// The shortest period in which every contact is with the nearest image, and with no other one [length]: twice the
+/// largest reach of two sites of different bodies, and the width of every body. In a shorter one a site may meet
+/// another body on two sides, or a body itself.
+template <int Dim>
+double least_period(const System<Dim>& system, const std::vector<double>& reach);
+
+struct ShortPeriod {
+  int direction;
+  double length, least;
+  Error error(ErrorKind kind) const;
+};
+
+/// The first periodic direction that is shorter than `least`. Directions with walls have no images and no least length.
+template <int Dim>
+std::optional<ShortPeriod> short_period(const Box<Dim>& box, double least) {
+  for (int d = 0; d < Dim; ++d)
+    if (box.periodic[d] && box.length[d] < (1 - 1e-12) * least) return ShortPeriod{d, box.length[d], least};
+  return {};
+}
+
+}  // namespace supple

@@ -1,0 +1,34 @@
+/// The image that a row of the pair table is about, and how it follows its sites over the boundary.
+#pragma once
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+template <int Dim>
+Vec<Dim> cells_of(const RowImage& image) {
+  Vec<Dim> cells;
+  for (int d = 0; d < Dim; ++d) cells[d] = image.cells[static_cast<std::size_t>(d)];
+  return cells;
+}
+
+/// Vector from the first site of the row to the image of the second that it is about: its own, where it keeps one, or
+/// the nearest.
+template <int Dim>
+typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int32_t row) {
+  const PairTable& pairs = system.pairs;
+  const Vec<Dim>&a = system.state.position[pairs.first[row]], &b = system.state.position[pairs.second[row]];
+  if (pairs.image.empty() || !pairs.image[row].kept) return system.box.separation(a, b);
+  return system.box.separation(a, b, cells_of<Dim>(pairs.image[row]));
+}
+
+/// Brings site i into the cell, with its velocity; links keep their images.
+template <int Dim>
+void wrap_site(System<Dim>& system, std::int32_t i) {
+  const Vec<Dim> moved = system.box.wrap(system.state.position[i], system.state.velocity[i]);
+  if (system.pairs.image.empty() || moved == Vec<Dim>{}) return;
+  std::array<std::int32_t, 3> cells{};
+  for (int d = 0; d < Dim; ++d) cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(moved[d]);
+  follow_images(system.pairs, i, cells);
+}
+
+}  // namespace supple
