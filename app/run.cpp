@@ -64,10 +64,10 @@ std::string run_path(const Case& c, const std::string& case_path, const std::str
 
 std::string images_folder(const std::string& run) { return beside(run, "_images"); }
 
-/// Deformable particles that take no steps are looked at, and have no course to draw.
+/// Deformable particles that take no steps are looked at, discs are brought to rest: no course to draw.
 bool draws_plot(const Case& c) {
   const bool still = is_deformable(c) && c.general.experiment == "dynamics" && c.time.steps == 0;
-  return c.output.plot && !still;
+  return c.output.plot && !still && c.general.experiment != "preparation";
 }
 
 /// Everything that the run will write must be writable before anything is computed.

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/uncertainty.hpp"
 
 namespace supple::command {
 
@@ -15,8 +16,7 @@ using Json = nlohmann::ordered_json;
 
 std::string with_error(const RunValue& v) {
   const std::string unit = v.name.unit.empty() ? "" : " " + v.name.unit;
-  if (v.error < 0) return fmt::format("{:.5g}{}", v.value, unit);
-  return fmt::format("{:.5g} ± {:.2g}{}", v.value, v.error, unit);
+  return value_with_error(v.value, v.error) + unit;
 }
 
 int particle_count(const RunInfo& info) {

@@ -170,6 +170,29 @@ std::vector<double> energies(Map& map, Panel panel) {
   return values;
 }
 
+/// Lines of equal energy, cell by cell [marching squares]: where the gradient is discontinuous they have a corner.
+void draw_contours(Canvas& canvas, const std::vector<double>& values, double highest, Point corner, double cell) {
+  constexpr int lines = 10;
+  const auto value = [&](int row, int column) { return values[static_cast<std::size_t>(row) * cells + column]; };
+  for (int line = 1; line < lines; ++line) {
+    const double level = highest * line / lines;
+    for (int row = 0; row + 1 < cells; ++row)
+      for (int column = 0; column + 1 < cells; ++column) {
+        const int at[4][2] = {{row, column}, {row, column + 1}, {row + 1, column + 1}, {row + 1, column}};
+        std::vector<Point> cuts;
+        for (int k = 0; k < 4; ++k) {
+          const int* a = at[k];
+          const int* b = at[(k + 1) % 4];
+          const double va = value(a[0], a[1]), vb = value(b[0], b[1]);
+          if (!std::isfinite(va) || !std::isfinite(vb) || (va < level) == (vb < level)) continue;
+          const double share = (level - va) / (vb - va);
+          cuts.push_back(corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]), a[0] + 0.5 + share * (b[0] - a[0])});
+        }
+        if (cuts.size() == 2) canvas.line(cuts[0], cuts[1], {.width = 0.5});
+      }
+  }
+}
+
 void draw_panel(Canvas& canvas, const Map& map, const std::vector<double>& values, const ColorScale& scale,
                 Point corner, double size, const std::string& title) {
   const double cell = size / cells;
@@ -184,6 +207,7 @@ void draw_panel(Canvas& canvas, const Map& map, const std::vector<double>& value
     return corner + Point{0.5 * size * (1 + (p[0] - middle[0]) / half_width),
                           0.5 * size * (1 - (p[1] - middle[1]) / half_width)};
   };
+  draw_contours(canvas, values, scale.high, corner, cell);
   std::vector<Point> outline;
   for (const Vec2& p : map.ring()) outline.push_back(place(p));
   canvas.polygon(outline, {.fill = gray, .pen = Pen{}});

@@ -117,9 +117,23 @@ TEST_P(Stops, ASignalKeepsWhatWasComputed) {
   EXPECT_EQ(RunFile(path("small.h5").string()).status(), "interrupted");
 }
 
+TEST_F(Run, ARunFromAPreparedSuspensionIsTheRunThatPreparesIt) {
+  write_small_case();
+  ASSERT_EQ(supple("run small.toml").code, 0);
+  const Outcome prepared = supple("run small.toml --set experiment=preparation -o rest.h5");
+  ASSERT_EQ(prepared.code, 0) << prepared.err;
+  EXPECT_FALSE(std::filesystem::exists(path("rest_stress.png")));
+  const Outcome continued = supple("run small.toml --set initial.state=rest.h5 -o again.h5");
+  ASSERT_EQ(continued.code, 0) << continued.err;
+  const RunFile a(path("small.h5").string()), b(path("again.h5").string());
+  for (const char* column : {"t", "strain", "shear_stress_plates", "shear_stress_virial", "shear_stress_internal"})
+    EXPECT_EQ(a.column("stress", column), b.column("stress", column)) << column;
+  EXPECT_EQ(supple("run small.toml --set experiment=preparation --set initial.state=rest.h5 -o no.h5").code, 2);
+}
+
 TEST_F(Run, ExamplesAreSound) {
   for (const std::string name :
-       {"microgel", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump"}) {
+       {"microgel", "preparation", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump"}) {
     const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
   }

@@ -62,7 +62,7 @@ TEST(CaseFile, KeyInTheWrongSection) {
 TEST(CaseFile, UnknownKeyWithNothingLikeItListsTheKeys) {
   EXPECT_EQ(error_of("[preparation]\nzzzzzzzz = 1\n"),
             "c.toml:2:1: unknown key 'zzzzzzzz' in [preparation]; the keys here are stress_tolerance, "
-            "max_relaxation_periods");
+            "max_time");
 }
 
 TEST(CaseFile, UnknownSection) {
@@ -127,7 +127,7 @@ TEST(CaseFile, InvalidChoice) {
             "Coulomb limit, "
             "frozen, or reset); did you mean \"clamp\"? It must be one of \"clamp\", \"freeze\", \"reset\"");
   EXPECT_THAT(error_of("experiment = \"rheology\"\n"),
-              HasSubstr("; it must be one of \"oscillatory_shear\", \"dynamics\""));
+              HasSubstr("; it must be one of \"oscillatory_shear\", \"preparation\", \"dynamics\""));
 }
 
 TEST(CaseFile, WrongUnit) {

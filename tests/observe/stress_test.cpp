@@ -200,5 +200,31 @@ TEST(Stress, TensorsThatDoNotDependOnTheCut) {
   EXPECT_GT(std::abs(a.shear_external() - b.shear_external()), 1e-5);
 }
 
+TEST(Stress, PlatesPullByTheForceOverTheWidth) {
+  // Free discs held between an upper and a lower plate: the force along the flow is the same on both sides of each.
+  Scene scene = empty_scene();
+  scene.system.box.length = {side, 2 * side};
+  scene.add_disc({50, 3}, {}, 5, Mobility::lower_plate);
+  scene.add_disc({55, 11});
+  scene.add_disc({45, 192});
+  scene.add_disc({50, 198}, {}, 5, Mobility::upper_plate);
+  scene.touch(0, 1, 3, 1, 0.5);
+  scene.touch(2, 3, 7, 0, -0.25);
+  const Vec2 on_lower = -1 * force_on_first(scene.evaluation.pair[0]), on_upper = force_on_first(scene.evaluation.pair[1]);
+  EXPECT_NEAR(scene.tensors(10).plates, 10 * 0.5 * (on_upper[flow] - on_lower[flow]) / side, 1e-15);
+}
+
+TEST(Stress, APlateReachesItsSampleOverTheBoundary) {
+  // The upper plate meets a disc at the lower side through the period: it is part of the plate there.
+  Scene scene = empty_scene();
+  scene.add_disc({50, 6});
+  scene.add_disc({53, 99}, {}, 5, Mobility::upper_plate);
+  scene.touch(0, 1, 4, 0, 0);
+  EXPECT_NEAR(scene.tensors().plates, -0.5 * force_on_first(scene.evaluation.pair[0])[flow] / side, 1e-15);
+  scene.add_disc({50, 2}, {}, 5, Mobility::lower_plate);  // plates between themselves carry nothing for the sample
+  scene.touch(1, 2, 9, 0, 1);
+  EXPECT_NEAR(scene.tensors().plates, -0.5 * force_on_first(scene.evaluation.pair[0])[flow] / side, 1e-15);
+}
+
 }  // namespace
 }  // namespace supple

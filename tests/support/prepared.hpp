@@ -23,7 +23,7 @@ inline std::unique_ptr<DiscDynamics> documented_dynamics(const Case& c) {
 
 /// One cycle of the case's amplitude and frequency in so many steps, without rests.
 inline OscillatoryProtocol one_cycle(const Case& c, int steps) {
-  return {c.shear.amplitude, derive_constants(c, nullptr).frequency, 0, 1, 0, steps};
+  return {c.shear.amplitude, derive_constants(c, nullptr).frequency, steps, 0, steps, 0};
 }
 
 /// Damping per step: cool_factor per cycle.

@@ -14,7 +14,7 @@ const Fields<General>& fields() {
        "",
        "what to run",
        any_value,
-       {"oscillatory_shear", "dynamics", "jamming", "compression", "uniaxial_compression", "slump"}},
+       {"oscillatory_shear", "preparation", "dynamics", "jamming", "compression", "uniaxial_compression", "slump"}},
       {"physics",
        &General::physics,
        "",
@@ -151,8 +151,8 @@ const Fields<Preparation>& fields() {
   using P = Preparation;
   static const Fields<P> f{
       {"stress_tolerance", &P::stress_tolerance, "",
-       "relax until the stress fluctuates by less than this share of the expected amplitude", positive},
-      {"max_relaxation_periods", &P::max_relaxation_periods, "", "give up after this many periods", at_least_one},
+       "relax until the stress fluctuates by less than this share of E/100, whatever is done to the sample", positive},
+      {"max_time", &P::max_time, "tau", "give up when one relaxation takes longer; tau = sqrt(m/k)", positive},
   };
   return f;
 }

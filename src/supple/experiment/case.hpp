@@ -48,7 +48,8 @@ struct Cell {
 
 struct Shear {
   double amplitude = 0.2, relative_frequency = 0.025;
-  double periods = 3, pre_periods = 2, post_periods = 1;
+  double periods = 9;  ///< as published 3: see resolve_family
+  double pre_periods = 2, post_periods = 1;
   double cool_factor = 0.5;
   std::string rate = "0";
 };
@@ -60,8 +61,7 @@ struct Stepping {
 };
 
 struct Preparation {
-  double stress_tolerance = 0.1;
-  int max_relaxation_periods = 20;
+  double stress_tolerance = 0.1, max_time = 800;
 };
 
 struct Initial {
@@ -209,7 +209,7 @@ bool is_deformable(const Case& c);
 /// The sections that the case's experiment reads.
 std::vector<std::string> sections_of(const Case& c);
 
-/// Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless
+/// The published package shears for three periods unless told. Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless
 /// given, lets a particle lose its velocity while it falls by its diameter.
 void resolve_family(Case& c);
 

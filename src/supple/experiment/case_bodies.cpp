@@ -196,11 +196,14 @@ const Fields<Motion>& fields() {
 
 bool is_deformable(const Case& c) {
   return c.general.physics == "deformable" || !c.initial.packing.empty() ||
-         (c.general.experiment != "oscillatory_shear" && c.general.experiment != "dynamics");
+         (c.general.experiment != "oscillatory_shear" && c.general.experiment != "preparation" &&
+          c.general.experiment != "dynamics");
 }
 
 std::vector<std::string> sections_of(const Case& c) {
   const std::string& name = c.general.experiment;
+  if (name == "preparation" && c.general.physics == "documented")  // as published it depends on the protocol
+    return {"", "material", "particles", "box", "preparation", "output"};
   if (!is_deformable(c))
     return {"", "material", "particles", "box", "shear", "time", "preparation", "initial", "output"};
   std::vector<std::string> sections{"", "bodies", "contact"};
@@ -215,6 +218,7 @@ std::vector<std::string> sections_of(const Case& c) {
 
 void resolve_family(Case& c) {
   if (is_deformable(c) && !c.is_given("physics")) c.general.physics = "deformable";
+  if (c.general.physics == "particleshear-1.0.2" && !c.is_given("shear.periods")) c.shear.periods = 3;
   Bodies& b = c.bodies;
   const auto unless_given = [&](const char* key, double& value, double of_family) {
     if (!c.is_given(std::string("bodies.") + key)) value = of_family;

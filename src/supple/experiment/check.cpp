@@ -201,19 +201,24 @@ std::vector<std::string> find_doubts(const Case& c) {
        "material.tensile_law = \"exponential\" or \"saturating\"");
   for (const auto key : {"shear.amplitude", "shear.relative_frequency", "shear.periods", "shear.pre_periods",
                          "shear.post_periods"})
-    idle(key, shear, "experiment = \"oscillatory_shear\"");
-  for (const auto key : {"shear.rate", "time.steps"}) idle(key, !shear, "experiment = \"dynamics\"");
+    idle(key, shear || c.general.experiment == "preparation", "experiment = \"oscillatory_shear\"");
+  for (const auto key : {"shear.rate", "time.steps"})
+    idle(key, c.general.experiment == "dynamics", "experiment = \"dynamics\"");
   idle("output.image_format", c.output.images > 0, "output.images");
   if (c.initial.state.empty() && c.particles.packing_fraction < 0.84)
     doubts.push_back(fmt::format(
         "particles.packing_fraction = {} is below jamming (about 0.84): expect no modulus at rest",
         c.particles.packing_fraction));
-  if (shear && c.shear.pre_periods == 0)
+  const bool published = c.general.physics == "particleshear-1.0.2";
+  if (shear && published && c.shear.pre_periods == 0)
     doubts.push_back("shear.pre_periods = 0: drift and offset cannot be removed");
   if (shear && c.shear.periods < 2)
     doubts.push_back(
         fmt::format("shear.periods = {}: the first period is transient and there is no second to demodulate",
                     c.shear.periods));
+  else if (shear && !published && c.shear.periods < 4)
+    doubts.push_back(fmt::format("shear.periods = {}: no error of G' and G'', as the cycles after the first are fewer "
+                                 "than three", c.shear.periods));
   return doubts;
 }
 

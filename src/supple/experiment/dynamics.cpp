@@ -67,7 +67,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
 
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
-  StressTable table(recorder, s.units, c.output.tensors, initial);
+  StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
   const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
   std::int64_t stopped_after = 0;
   for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {

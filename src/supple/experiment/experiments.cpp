@@ -10,6 +10,8 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all{
       {"oscillatory_shear", "G' and G'' of a suspension of crosslinked particles under oscillatory shear",
        derive_oscillatory_shear, run_oscillatory_shear},
+      {"preparation", "such a suspension brought to rest, for runs that start from it", derive_preparation,
+       run_preparation},
       {"dynamics", "discs moving under a prescribed shear rate, every step recorded; or deformable particles",
        derive_dynamics, run_dynamics},
       {"jamming", "isotropic compression of deformable particles to a jammed packing (9.4)", derive_jamming,

@@ -28,6 +28,8 @@ void run(const Case& c, const InitialState* initial, Recorder& recorder);
 
 std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial);
 void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_preparation(const Case& c, const InitialState* initial);
+void run_preparation(const Case& c, const InitialState* initial, Recorder& recorder);
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial);
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial);

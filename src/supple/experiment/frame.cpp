@@ -65,7 +65,7 @@ RunInfo make_run_info(const System<2>& system, const Units& units) {
   const State<2>& s = system.state;
   const std::vector<std::int32_t>& begin = system.topology.begin;
   return {units,  system.box, s.radius,
-          s.mass, s.inertia,  begin.empty() ? connected_particles(system) : bodies_of_sites(system.topology, s.size()),
+          s.mass, s.inertia,  begin.empty() ? connected_particles(system, LinkKind::all) : bodies_of_sites(system.topology, s.size()),
           begin};
 }
 

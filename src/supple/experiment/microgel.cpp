@@ -115,6 +115,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
   k.time_step = step_share * k.stable_step * c.time.step_factor;
+  k.relaxation_step = step_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
   if (initial && c.general.experiment == "dynamics")
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) 
       k.time_step = dt->second * initial->units.time * c.time.step_factor;

@@ -19,6 +19,7 @@ struct MicrogelConstants {
   double tau = 0;        ///< sqrt(m/k) [s]
   double frequency = 0;  ///< [Hz]
   double stable_step = 0, time_step = 0;  ///< [s]
+  double relaxation_step = 0;             ///< of the preparation, which knows nothing of the protocol [s]
   MaterialConstants material;  ///< SI, every one set: what a continuation starts with
   DiscLaw law;
 };

@@ -1,6 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <numbers>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -32,14 +36,32 @@ double protocol_number(const Case& c, const InitialState* initial, const char* k
   return at == initial->protocol.end() ? of_case : at->second;
 }
 
+/// A step shorter than stability needs, where the oscillation is fast: twice what a cycle must have to be demodulated.
+constexpr int least_steps_per_period = 2 * least_samples_of_cycle;
+constexpr double most_steps = 1e15;  // counted in 64 bits, and in doubles without a loss
+
 OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
   OscillatoryProtocol p;
   p.amplitude = protocol_number(c, initial, "amplitude", "amplitude", c.shear.amplitude);
   p.frequency = k.frequency;
-  p.pre_periods = protocol_number(c, initial, "pre_periods", "pre", c.shear.pre_periods);
-  p.periods = protocol_number(c, initial, "periods", "periods", c.shear.periods);
-  p.post_periods = protocol_number(c, initial, "post_periods", "post", c.shear.post_periods);
-  p.steps_per_period = static_cast<int>(std::ceil(1 / (k.frequency * k.time_step) * (1 - 1e-12)));
+  const double pre = protocol_number(c, initial, "pre_periods", "pre", c.shear.pre_periods);
+  const double periods = protocol_number(c, initial, "periods", "periods", c.shear.periods);
+  const double post = protocol_number(c, initial, "post_periods", "post", c.shear.post_periods);
+  if (periods < 1)
+    throw input_error(fmt::format("shear.periods = {} is less than one period", periods),
+                      "G', G'', offset and drift of the stress cannot be told apart", "set it to 1 or more");
+  const double per_period =
+      std::max(std::ceil(1 / (k.frequency * k.time_step) * (1 - 1e-12)), 1.0 * least_steps_per_period);
+  if (!(per_period * (pre + periods + post) < most_steps))
+    throw input_error(fmt::format("the protocol has {:.3g} steps, {:.3g} in a period",
+                                  per_period * (pre + periods + post), per_period),
+                      fmt::format("it can have {:.0g}", most_steps),
+                      fmt::format("raise shear.relative_frequency (to {:.1g} or more)",
+                                  c.shear.relative_frequency * per_period * (pre + periods + post) / most_steps));
+  p.steps_per_period = std::llround(per_period);
+  p.pre_steps = std::llround(pre * per_period);
+  p.shear_steps = std::llround(periods * per_period);
+  p.post_steps = std::llround(post * per_period);
   return p;
 }
 
@@ -57,9 +79,21 @@ ShearProtocol make_protocol(const Case& c, const InitialState* initial) {
             }};
   }
   const OscillatoryProtocol p = documented_protocol(c, initial, derive_constants(c, initial));
-  return {{p.frequency, p.amplitude, p.pre_periods, p.periods, p.post_periods}, DriftCorrection::right, p.steps(),
-          p.steps() + 1, p.time_step(), std::pow(c.shear.cool_factor, 1.0 / p.steps_per_period),
+  return {{p.frequency, p.amplitude, p.periods(p.pre_steps), p.periods(p.shear_steps), p.periods(p.post_steps)},
+          DriftCorrection::right, p.steps(), p.steps() + 1, p.time_step(), std::pow(c.shear.cool_factor, p.periods(1)),
           [p](std::int64_t step, double) { return p.rates(step); }};
+}
+
+/// Of the suspension that is to be made, or of the state.
+Gap expected_gap(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
+  if (initial) return gap_of(initial->system, initial->units);
+  return {c.box.height, c.particles.discs * k.mean_mass / (c.box.width * c.box.height)};
+}
+
+/// Shear modulus of a triangular lattice of links with springs k and k_t, sqrt(3)/4 (k + k_t): scaffolds, whose discs are
+/// in disorder, are softer (0.76 k for 0.87 k with the default laws).
+double scaffold_modulus(const MicrogelConstants& k) {
+  return 0.25 * std::numbers::sqrt3 * (k.law.link.k + k.law.link.k_t);
 }
 
 /// Instants of which frames are kept: evenly spaced over the protocol, the first and the last included.
@@ -92,6 +126,12 @@ std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState*
   all.push_back({{"damping_factor", "", "factor per step on velocity relative to the flow"}, p.damping});
   all.push_back({{"steps_per_period", "", "steps per period"}, 1 / (p.windows.frequency * p.time_step)});
   all.push_back({{"steps", "", "steps of the protocol"}, static_cast<double>(p.steps)});
+  if (!is_package(c)) {
+    const MicrogelConstants k = derive_constants(c, initial);
+    all.push_back({{"wavelength_over_gap_of_scaffold", "",
+                    "shear wave of a crosslinked scaffold over the gap; softer samples have shorter waves"},
+                   expected_gap(c, initial, k).wavelengths(scaffold_modulus(k), p.windows.frequency)});
+  }
   return all;
 }
 
@@ -106,7 +146,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   s.damping = protocol.damping;
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
-  StressTable table(recorder, s.units, c.output.tensors, initial);
+  StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
   FrameSchedule frames(protocol.rows, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
@@ -122,7 +162,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   }
   const Evaluation<2>& last = s.stepper->evaluate(s.system, {});
   table.finish(s.system, last);
-  record_moduli(table, protocol.windows, protocol.correction, recorder);
+  record_moduli(table, protocol.windows, protocol.correction, gap_of(s.system, s.units), recorder);
   record_counts(s.system, last, recorder);
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},
                  static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);

@@ -62,7 +62,7 @@ std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, cons
       throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa", phase,
                                        spread, done, spec.tolerance),
                            "the discs do not come to rest",
-                           "raise [preparation] max_relaxation_periods or stress_tolerance");
+                           "raise [preparation] max_time or stress_tolerance");
   }
 }
 

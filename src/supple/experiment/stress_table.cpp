@@ -1,5 +1,6 @@
 #include "supple/experiment/stress_table.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +25,7 @@ constexpr NamedTensor tensor_columns[] = {
     {"virial", &StressTensors::virial},
 };
 
-std::vector<Column> columns(bool tensors) {
+std::vector<Column> columns(bool tensors, bool plates) {
   std::vector<Column> out{
       {"t", "s", "time since the start of the protocol"},
       {"strain", "", "accumulated shear strain"},
@@ -37,6 +38,7 @@ std::vector<Column> columns(bool tensors) {
       {"pair_register", "", "elementary internal forces, as the published package counts them"},
       {"external_register", "", "elementary external forces, as the published package counts them"},
   };
+  if (plates) out.push_back({"shear_stress_plates", "Pa", "tau from the force of the plates over the width of the cell"});
   if (!tensors) return out;
   for (const auto& [name, tensor] : tensor_columns)
     for (const char* component : {"_00", "_01", "_10", "_11"})
@@ -44,9 +46,10 @@ std::vector<Column> columns(bool tensors) {
   return out;
 }
 
-}  // namespace
-
-namespace {
+bool has_plates(const System<2>& system) {
+  const std::vector<Mobility>& m = system.state.mobility;
+  return std::any_of(m.begin(), m.end(), [](Mobility k) { return is_plate(k); });
+}
 
 constexpr auto removed_stress = "removed_stress";
 
@@ -58,9 +61,14 @@ double removed_before(const InitialState* initial) {
 
 }  // namespace
 
-StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors, const InitialState* initial)
-    : recorder_(recorder), units_(units), tensors_(tensors), jumps_(removed_before(initial)) {
-  recorder_.declare("stress", columns(tensors));
+StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors, const System<2>& system,
+                         const InitialState* initial)
+    : recorder_(recorder),
+      units_(units),
+      tensors_(tensors),
+      has_plates_(has_plates(system)),
+      jumps_(removed_before(initial)) {
+  recorder_.declare("stress", columns(tensors, has_plates_));
 }
 
 void StressTable::append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate) {
@@ -70,6 +78,10 @@ void StressTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   row_ = {t, system.box.strain, strain_rate / units_.time, s.shear_external(), s.shear_internal(),
           corrected, s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
           static_cast<double>(s.external_register)};
+  if (has_plates_) {
+    row_.push_back(s.plates);
+    plates_.push_back(s.plates);
+  }
   if (tensors_)
     for (const auto& [name, tensor] : tensor_columns) {
       const Mat2& m = s.*tensor;

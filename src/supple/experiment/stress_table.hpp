@@ -12,9 +12,10 @@ namespace supple {
 /// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
 class StressTable {
  public:
-  /// with `tensors`, every component of every tensor, else the shear stresses alone. The corrected external stress
-  /// goes on from that of `initial`.
-  StressTable(Recorder& recorder, const Units& units, bool tensors, const InitialState* initial);
+  /// with `tensors`, every component of every tensor, else the shear stresses alone; that of the plates where the
+  /// system has discs on them. The corrected external stress goes on from that of `initial`.
+  StressTable(Recorder& recorder, const Units& units, bool tensors, const System<2>& system,
+              const InitialState* initial);
   /// One row; the rate is that of this instant (a leapfrog's box keeps that of the step before).
   void append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate);
 
@@ -28,14 +29,18 @@ class StressTable {
   const std::vector<double>& external_corrected() const { return external_corrected_; }
   const std::vector<double>& periodic() const { return periodic_; }
   const std::vector<double>& virial() const { return virial_; }
+  /// Empty without plates.
+  const std::vector<double>& plates() const { return plates_; }
   const std::vector<double>& pressure() const { return pressure_; }
+  /// Largest size of what was taken out of external_corrected() [Pa].
+  double most_removed() const { return jumps_.most_removed(); }
 
  private:
   Recorder& recorder_;
   Units units_;
-  bool tensors_;
+  bool tensors_, has_plates_;
   JumpCorrection jumps_;
-  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, pressure_;
+  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, plates_, pressure_;
 };
 
 }  // namespace supple

@@ -37,9 +37,9 @@ CrosslinkSpec crosslink_spec(const Case& c) {
 
 namespace {
 
-/// The shear stress amplitude to expect, A E/20: between free discs (E/40 at A = 0.2) and a bulk scaffold
-/// (E/5).
-double expected_stress(const Case& c) { return c.shear.amplitude * c.material.young_modulus / 20; }
+/// Shear stress to expect at a strain of 20 %, E/100: between free discs (E/200) and a bulk scaffold (E/25). It is no
+/// function of the protocol, so that one seed is one sample.
+double typical_stress(const Case& c) { return c.material.young_modulus / 100; }
 
 /// From a state file: contacts remember; boundary and plates are those of the case, which has adopted the state's.
 void take_state(Suspension& s, const Case& c, const InitialState& initial) {
@@ -54,16 +54,15 @@ void take_state(Suspension& s, const Case& c, const InitialState& initial) {
     if (m == Mobility::lower_plate || m == Mobility::upper_plate) m = Mobility::free;
 }
 
-void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, double relaxation_step,
-                        double frequency, Recorder& recorder) {
+void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, const MicrogelConstants& k,
+                        Recorder& recorder) {
   recorder.declare("preparation",
                    {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
-  const double periods_to_steps = 1 / (relaxation_step * frequency);
   RelaxationSpec spec;
-  spec.time_step = relaxation_step;
-  spec.tolerance = c.preparation.stress_tolerance * expected_stress(c);
-  spec.most_steps =
-      std::max<std::int64_t>(1000, std::llround(c.preparation.max_relaxation_periods * periods_to_steps));
+  spec.time_step = k.relaxation_step;
+  spec.tolerance = c.preparation.stress_tolerance * typical_stress(c);
+  const double steps = std::min(c.preparation.max_time * k.tau / spec.time_step, 1e15);
+  spec.most_steps = std::max<std::int64_t>(1000, std::llround(steps));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
   };
@@ -108,7 +107,7 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
                       c.material.density};
   s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
-  prepare_documented(s, stepper, c, step_share * k.stable_step, k.frequency, recorder);
+  prepare_documented(s, stepper, c, k, recorder);
   s.system.time = 0;
   s.system.step = 0;
   return s;

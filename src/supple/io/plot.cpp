@@ -9,6 +9,7 @@
 #include "supple/core/error.hpp"
 #include "supple/io/chart.hpp"
 #include "supple/io/ticks.hpp"
+#include "supple/io/uncertainty.hpp"
 
 namespace supple {
 
@@ -28,14 +29,12 @@ void check_length(const std::vector<double>& series, std::size_t length, const c
                       fmt::format("{} values for {} times", series.size(), length));
 }
 
-/// "565 ± 20 Pa": both numbers with the prefix and decimals of the value.
+/// "565 ± 20 Pa": both numbers with the prefix of the larger.
 std::string with_error(double value, double error, const std::string& unit) {
   if (error < 0) return with_unit(value, unit);
   const Prefix prefix = si_prefix(std::max(std::abs(value), error));
-  const double shown = std::max(std::abs(value), error) / prefix.factor;
-  const double step = shown >= 100 ? 1 : shown >= 10 ? 0.1 : 0.01;
-  return fmt::format("{} \u00b1 {}\u00a0{}{}", tick_label(value / prefix.factor, step),
-                     tick_label(error / prefix.factor, step), prefix.symbol, unit);
+  return with_minus_sign(value_with_error(value / prefix.factor, error / prefix.factor)) + "\u00a0" + prefix.symbol +
+         unit;
 }
 
 std::string moduli_line(const char* name, const StressEstimate& e) {
@@ -73,7 +72,7 @@ ChartColumn against_time(const OscillatoryPlot& plot) {
   return {{strain, stress}, 1.3};
 }
 
-/// Stress against strain in cycle c (from 0), without offset and drift.
+/// Stress against strain in cycle c (from 0), without the offset and drift of the fit, as its ellipse is.
 ChartSeries cycle_loop(const OscillatoryPlot& plot, const StressEstimate& estimate, int c, int cycles) {
   const Protocol& p = plot.protocol;
   ChartSeries loop;

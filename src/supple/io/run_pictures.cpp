@@ -18,7 +18,8 @@ Protocol protocol_of(const RunFile& run) {
           constant("post_periods")};
 }
 
-/// Series and moduli as the run holds them; offset and drift, which it does not hold, from the series.
+/// Series and moduli as the run holds them; offset and drift, which it does not hold, from the series: the fit's, around
+/// which the cycles lie, whatever the stress was at rest.
 StressEstimate estimate(const RunFile& run, const std::string& name, const std::vector<double>& time,
                         const Protocol& protocol) {
   StressEstimate e;

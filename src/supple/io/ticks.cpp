@@ -11,15 +11,10 @@
 
 namespace supple {
 
-namespace {
-
-/// The hyphen that stands for minus in formatted numbers becomes the sign.
 std::string with_minus_sign(std::string number) {
   if (!number.empty() && number[0] == '-') number.replace(0, 1, "\u2212");
   return number;
 }
-
-}  // namespace
 
 double round_below(double x) {
   const double power = std::pow(10, std::floor(std::log10(x)));

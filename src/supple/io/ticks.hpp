@@ -18,6 +18,9 @@ Ticks nice_ticks(double low, double high, int count);
 /// A number at a tick, with as many decimals as the step needs and a true minus sign.
 std::string tick_label(double value, double step);
 
+/// The hyphen that a formatted number begins with becomes the minus sign.
+std::string with_minus_sign(std::string number);
+
 /// SI prefix that brings |largest| into [1, 1000): value / factor carries prefix + unit.
 struct Prefix {
   double factor = 1;

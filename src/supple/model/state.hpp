@@ -9,6 +9,7 @@ namespace supple {
 
 /// How a site moves: by its forces; with the upper or lower plate (it may spin); or not at all (it may spin).
 enum class Mobility : std::uint8_t { free = 0, lower_plate = 1, upper_plate = 2, fixed = 3 };
+inline bool is_plate(Mobility m) { return m == Mobility::lower_plate || m == Mobility::upper_plate; }
 
 /// Arrays over sites. Angle, spin and inertia are of sites that can spin (discs).
 template <int Dim>

@@ -41,6 +41,7 @@ double JumpCorrection::corrected(const System<2>& system, const Evaluation<2>& e
     std::vector<Vec2> position = now;
     for (std::size_t i = 0; i < now.size(); ++i) position[i] = unwrapped(system.box, before_[i], now[i]);
     removed_ += tensors.shear_external() - tensors_with(position, system, evaluation, unit).shear_external();
+    most_removed_ = std::max(most_removed_, std::abs(removed_ - start_));
   }
   before_ = now;
   return tensors.shear_external() - removed_;

@@ -14,18 +14,19 @@ namespace supple {
 class JumpCorrection {
  public:
   /// Goes on from a series from which jumps of this sum were removed already.
-  explicit JumpCorrection(double removed = 0) : removed_(removed) {}
+  explicit JumpCorrection(double removed = 0) : start_(removed), removed_(removed) {}
   /// External shear stress without the jumps so far, in the unit of `tensors` (`unit` as in stress_tensors). Call it
   /// at every step: a disc must not move by half a cell between two calls.
   double corrected(const System<2>& system, const Evaluation<2>& evaluation, const StressTensors& tensors,
                    double unit = 1);
 
-  /// Sum of all jumps so far.
+  /// Sum of all jumps so far, and how far it has been from where this series began.
   double removed() const { return removed_; }
+  double most_removed() const { return most_removed_; }
 
  private:
   std::vector<Vec2> before_;  ///< positions at the last call
-  double removed_;
+  double start_, removed_, most_removed_ = 0;
 };
 
 }  // namespace supple

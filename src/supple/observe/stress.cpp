@@ -35,6 +35,7 @@ void add_contacts(const System<2>& system, const Evaluation<2>& evaluation, Stre
   // Disjoint kinds of contact: a tensor is a sum of kinds, so that one without contacts is exactly zero.
   ContactSums internal, across_flow, other;
   Mat2 external;
+  double plates = 0;
   int pair_register = 0, external_register = 0;
   const std::size_t rows = evaluation.pair.size();
   for (std::size_t row = 0; row < rows; ++row) {
@@ -53,12 +54,16 @@ void add_contacts(const System<2>& system, const Evaluation<2>& evaluation, Stre
     if (first_free) external.add_outer(-1, force, position[i] - centre);
     if (second_free) external.add_outer(1, force, position[j] - centre);
     external_register += 4 * (first_free + second_free);
+    if (is_plate(mobility[i]) && second_free) plates -= position[j][gradient] > centre[gradient] ? force[flow] : -force[flow];
+    if (is_plate(mobility[j]) && first_free) plates += position[i][gradient] > centre[gradient] ? force[flow] : -force[flow];
   }
   for (const SiteForce<2>& wall : evaluation.wall) external.add_outer(-1, wall.force, position[wall.site] - centre);
 
   s.pair_register = pair_register;
   s.external_register = external_register;
   s.external = external;
+  // A force over a width, times the height, as all is divided by the area of the cell.
+  s.plates = 0.5 * plates * system.box.length[gradient];
   s.love_weber = internal.love_weber();
   s.internal_torque = internal.torque_tensor();
   internal += across_flow;
@@ -96,6 +101,7 @@ StressTensors stress_tensors(const System<2>& system, const Evaluation<2>& evalu
   for (Mat2* m : {&s.love_weber, &s.external, &s.linear_acceleration, &s.otsuki, &s.tangential_torque,
                   &s.internal_torque, &s.centrifugal, &s.love_weber_periodic, &s.virial})
     *m *= scale;
+  s.plates *= scale;
   s.overall = s.love_weber + s.internal_torque + s.centrifugal;
   return s;
 }

@@ -26,6 +26,11 @@ struct StressTensors {
   /// discs count as matter of the cell like all others; what drives the plates and kinetic terms are not in it.
   Mat2 virial;
 
+  /// Shear stress that plates exert on the sample: half the difference of the forces of the upper and the lower plate
+  /// along the flow over the width of the cell. It does not depend on where the cell is cut: at rest it is the stress on
+  /// every section along the flow. A contact belongs to the plate on whose side of the cell its free disc is.
+  double plates = 0;
+
   /// Elementary forces that the published package registers as internal and as external: central elastic, central
   /// viscous, and two visits of the tangential force, on each free disc of a contact.
   int pair_register = 0, external_register = 0;
