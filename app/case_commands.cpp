@@ -51,6 +51,8 @@ std::set<std::string> first_keys(const Case& c) {
 
 /// Wall time of a disc and step, for estimates before a run: the order of what scripts/bench measures.
 constexpr double seconds_per_disc_step = 150e-9;
+/// The same of a vertex in a minimisation, where forces are all there is to do.
+constexpr double seconds_per_site_evaluation = 41e-9;
 
 std::optional<double> find(const std::vector<Derived>& derived, const std::string& name) {
   for (const Derived& d : derived)
@@ -175,14 +177,16 @@ void check(const CaseChoice& choice, Format format) {
   const std::vector<std::string> doubts = find_doubts(c);
   const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
-  const double estimate =
-      steps.value_or(0) * site_count(c, initial, derived) * seconds_per_disc_step / c.general.threads;
+  const auto evaluations = find(derived, "evaluations");
+  const double estimate = (steps.value_or(0) * seconds_per_disc_step +
+                           evaluations.value_or(0) * seconds_per_site_evaluation) *
+                          site_count(c, initial, derived) / c.general.threads;
 
   if (format == Format::json) {
     Json j{{"case", choice.path}, {"experiment", c.general.experiment}, {"physics", c.general.physics}};
     for (const Derived& d : derived)
       j["derived"][d.name.name] = {{"value", d.value}, {"unit", d.name.unit}, {"meaning", d.name.meaning}};
-    if (steps) j["estimated_seconds"] = estimate;
+    if (steps || evaluations) j["estimated_seconds"] = estimate;
     j["warnings"] = doubts;
     fmt::print("{}\n", j.dump(2));
     return;
@@ -191,9 +195,9 @@ void check(const CaseChoice& choice, Format format) {
              describe_matter(c, initial, derived), c.general.seed);
   for (const Derived& d : derived)
     fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
-  if (steps)
-    fmt::print("  {:<22} {:>12} {:<8} without preparation, roughly\n", "time to run",
-               describe_seconds(estimate), "");
+  if (steps || evaluations)
+    fmt::print("  {:<22} {:>12} {:<8} {}\n", "time to run",
+               describe_seconds(estimate), "", steps ? "without preparation, roughly" : "within a factor of about two");
   for (const std::string& doubt : doubts) fmt::print("\nwarning: {}", doubt);
   if (!doubts.empty()) fmt::print("\n");
 }

@@ -211,6 +211,40 @@ TEST(Compression, GoesUpTheListAndBack) {
   EXPECT_EQ(recorder.frames.size(), 10u);
 }
 
+/// A second cycle begins at the pressure that the first came back to, and a state above all pressures goes down to them.
+TEST(Compression, CyclesComeBackToTheFirstPressure) {
+  Case c = small_case({"disc", "disc", "rough"});
+  c.general.experiment = "compression";
+  c.bodies.count = 16;
+  c.compression.highest_pressure = 1e-3;
+  c.compression.per_decade = 1;
+  MemoryRecorder first, second, above;
+  run_compression(c, nullptr, first);
+  InitialState state;
+  state.system = first.last_system;
+  run_compression(c, &state, second);
+  const std::vector<double> p = second.tables.at("packing").column("pressure");
+  ASSERT_EQ(p.size(), 5u);
+  for (const double end : {p.front(), p.back()}) {
+    EXPECT_GT(end, 1e-5);
+    EXPECT_LT(end, 1.01e-5);
+  }
+  c.compression.highest_pressure = 5e-5;
+  c.compression.per_decade = 4;
+  c.jamming.pressure = 2e-6;
+  run_compression(c, &state, above);
+  EXPECT_LT(above.tables.at("packing").column("pressure").back(), 2.02e-6);
+  c.jamming.pressure = 1e-7;
+  c.compression.highest_pressure = 1e-6;
+  MemoryRecorder down;
+  run_compression(c, &state, down);
+  for (const double branch : down.tables.at("packing").column("branch")) EXPECT_EQ(branch, -1);
+  EXPECT_EQ(down.tables.at("packing").rows.size(), 5u);
+  EXPECT_LT(down.tables.at("packing").column("pressure").back(), 1.01e-7);
+  c.compression.decompress = false;
+  EXPECT_THROW(run_compression(c, &state, down), Error);
+}
+
 /// The least p^2/(4 pi a) is below what the edges want: the regular polygon is a saddle, however far from its
 /// neighbours.
 TEST(Packing, FreeParticlesFindTheirPreferredShape) {
@@ -269,6 +303,25 @@ TEST(BodyDynamicsRun, KeepsTheEnergyThatItDrew) {
     EXPECT_NEAR(total[1], total[0], 1e-4 * total[0]) << family;
     EXPECT_NEAR(total.back(), total[0], 1e-4 * total[0]) << family;
   }
+}
+
+TEST(BodyDynamicsRun, ParticlesGetTheKineticEnergyAskedFor) {
+  for (const char* family : {"disc", "shell", "rough_disc"})
+    for (const int count : {2, 8}) {
+      Case c = dynamics_case(family);
+      c.bodies.count = count;
+      c.jamming.packing_fraction = 0.1;
+      MemoryRecorder recorder;
+      run_dynamics(c, nullptr, recorder);
+      const std::string name = family;
+      const double motions = name == "shell" ? 10 : name == "disc" ? 1 : 1.5;
+      EXPECT_NEAR(recorder.tables.at("motion").column("kinetic_energy").front(), 1e-5 * motions * count,
+                  1e-12 * motions * count) << family;
+    }
+  Case one = dynamics_case("disc");
+  one.bodies.count = 1;
+  one.jamming.packing_fraction = 0.05;
+  EXPECT_THROW(derive_dynamics(one, nullptr), Error);
 }
 
 TEST(BodyDynamicsRun, GoesOnFromItsStateBitForBit) {

@@ -139,6 +139,28 @@ TEST(SlumpOfAState, BeginsAtRest) {
   EXPECT_EQ(moving.last_system.state.position, still.last_system.state.position);
 }
 
+/// A disc that bounces with little damping hardly moves at the top of a bounce, where the floor bears nothing.
+TEST(SlumpOfADisc, IsNotAtRestInTheAir) {
+  Case c;
+  c.general.experiment = "slump";
+  c.bodies.family = "disc";
+  c.bodies.count = 1;
+  c.motion.damping = 0.001;
+  c.slump.spread_time = 20;
+  resolve_family(c);
+  MemoryRecorder recorder;
+  run_slump(c, nullptr, recorder);
+  for (const std::string when : {"settled_", ""})
+    if (recorder.warnings.empty()) {
+      EXPECT_NEAR(recorder.get("results", when + "floor_force"), 1, 0.01);
+    }
+  c.slump.settle_time = 400;  // its energy falls by exp(-0.001 t): long enough
+  MemoryRecorder longer;
+  run_slump(c, nullptr, longer);
+  EXPECT_TRUE(longer.warnings.empty());
+  EXPECT_NEAR(longer.get("results", "settled_floor_force"), 1, 0.01);
+}
+
 /// Three discs as stairs: a slope of one.
 TEST(Heap, IsMeasured) {
   System<2> s;
@@ -148,6 +170,7 @@ TEST(Heap, IsMeasured) {
   ForceField field(DiscContacts{});
   field.external().gravity = {0, -2};
   Evaluation<2> evaluation;
+  evaluation.force = {{0, 0}, {0.6, -0.8}, {0, 0.1}};
   evaluation.wall = {{0, {3, 0}}, {1, {-1, 0}}, {2, {-0.5, 6}}, {2, {0, -1}}};
   const Heap h = measure_heap(s, field, evaluation);
   EXPECT_DOUBLE_EQ(h.front, 3);
@@ -155,6 +178,7 @@ TEST(Heap, IsMeasured) {
   EXPECT_DOUBLE_EQ(h.spread, 3);
   EXPECT_DOUBLE_EQ(h.height, 1.5);
   EXPECT_NEAR(h.slope, 1, 1e-12);
+  EXPECT_DOUBLE_EQ(h.imbalance, 0.5);  // of a weight of 2
   EXPECT_DOUBLE_EQ(6 * h.walls.left, 3);
   EXPECT_DOUBLE_EQ(6 * h.walls.right, 1);
   EXPECT_DOUBLE_EQ(6 * h.walls.floor, 6);

@@ -128,5 +128,20 @@ TEST(UniaxialCompression, GoesOnFromABoxAndRefusesAPeriodicCell) {
   EXPECT_THROW(run_uniaxial_compression(c, &state, second), Error);
 }
 
+TEST(UniaxialCompression, EndsWhereAMinimisationDoesNotConverge) {
+  Case c = small_box();
+  c.uniaxial.pressure = 0;  // or the squeeze before would end first
+  c.minimise.max_evaluations = 5;
+  MemoryRecorder recorder;
+  try {
+    run_uniaxial_compression(c, nullptr, recorder);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::numerics);
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("raise minimise.max_evaluations"));
+  }
+  EXPECT_GT(recorder.last_system.state.size(), 0);
+}
+
 }  // namespace
 }  // namespace supple

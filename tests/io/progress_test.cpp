@@ -60,5 +60,17 @@ TEST(Progress, TimesInWords) {
   EXPECT_EQ(describe_seconds(7500), "2 h 5 min");
 }
 
+/// A search says where it is each time; in a log that is no new phase.
+TEST(Progress, WhatIsSaidOfTheMomentMakesNoNewLines) {
+  std::ostringstream out;
+  double now = 0;
+  ProgressLine progress(out, Style::lines, [&] { return now; });
+  for (int i = 0; i <= 1000; ++i, now += 0.01) progress.update("jam: phi = " + std::to_string(i), i, 1000);
+  const std::string text = out.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
+  EXPECT_THAT(text, HasSubstr("jam: phi = 500"));
+  EXPECT_THAT(text, HasSubstr("5 s left"));
+}
+
 }  // namespace
 }  // namespace supple

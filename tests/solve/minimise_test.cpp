@@ -4,7 +4,10 @@
 
 #include <string>
 
+#include "supple/contact/rough_contacts.hpp"
 #include "supple/core/error.hpp"
+#include "supple/model/polygons.hpp"
+#include "supple/solve/body_objective.hpp"
 #include "tests/support/objectives.hpp"
 
 namespace supple {
@@ -269,6 +272,52 @@ TEST(Minimise, RefusesOtherNamesAndSizes) {
 TEST(Minimise, NothingToMinimise) {
   Diagonal nothing({}, {});
   EXPECT_TRUE(minimise(nothing, {}).converged);
+}
+
+// As its residual never gets there, each would go on for 10^6 evaluations.
+TEST(Minimise, StopsWithinAFewEvaluationsWhenAsked) {
+  for (const std::string name : names) {
+    SoftDiscs discs(60, 0.9);
+    discs.absolute = 0;
+    std::vector<double> x = discs.start(1);
+    MinimiseSpec spec = by_name(name);
+    spec.callback_interval = 1'000'000;
+    long asked = 0;
+    spec.stop_requested = [&] { return ++asked > 100; };
+    const MinimiseReport report = minimise(discs, x, spec);
+    EXPECT_EQ(report.ending, Ending::interrupted) << name;
+    EXPECT_LT(report.evaluations, 140) << name;  // a line search of 25 at most, then the last point again
+  }
+}
+
+TEST(Minimise, FactorisationsCountAsEvaluations) {
+  Rosenbrock valley(100);
+  std::vector<double> x(100, 0.2);
+  MinimiseSpec spec = by_name("newton");
+  spec.newton.memory = 0;
+  spec.max_evaluations = 20;
+  const MinimiseReport report = minimise(valley, x, spec);
+  EXPECT_EQ(report.ending, Ending::exhausted);
+  EXPECT_GT(report.factorisations, 5);
+  EXPECT_LE(report.evaluations + report.factorisations, 20 + 26);
+}
+
+// The direction between them, and so the second derivatives, are not defined.
+TEST(Minimise, CoincidentDiscsPart) {
+  for (const std::string name : names) {
+    System<2> system;
+    system.box.length = {8, 8};
+    for (int k = 0; k < 2; ++k) add_disc_body(system, {4, 4}, 0.5);
+    ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
+    BodyObjective objective(system, field, {1e-9, 1e-12});
+    std::vector<double> x = objective.coordinates();
+    MinimiseSpec spec = by_name(name);
+    int asked = 0;
+    spec.stop_requested = [&] { return ++asked > 5000; };
+    const MinimiseReport report = minimise(objective, x, spec);
+    EXPECT_TRUE(report.converged) << name << ": " << report.reason;
+    EXPECT_GT(norm(system.state.position[1] - system.state.position[0]), 1 - 1e-6) << name;
+  }
 }
 
 }  // namespace

@@ -18,8 +18,20 @@ std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max
 
 }  // namespace
 
-std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
+namespace {
+
+/// The packing with the velocities that the case asks for.
+Packing moving_packing(const Case& c, const InitialState* initial) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
+    draw_velocities(packing.system, c.motion.kinetic_energy, c.general.seed);
+  return packing;
+}
+
+}  // namespace
+
+std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
+  Packing packing = moving_packing(c, initial);
   std::vector<Derived> all = derived_packing(packing);
   all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing, initial, conserving_step)});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
@@ -27,11 +39,9 @@ std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* ini
 }
 
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+  Packing packing = moving_packing(c, initial);
   System<2>& s = packing.system;
   start_clock(s, c);
-  if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
-    draw_velocities(s, c.motion.kinetic_energy, c.general.seed);
   const double dt = body_time_step(c, packing, initial, conserving_step);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
@@ -56,6 +66,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
     hand_over(packing, recorder);
     throw;
   }
+  recorder.progress("dynamics", steps, steps);
   recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
   const bool closed = environment_of(packing).is_closed();
   record_packing(packing, {}, recorder, closed ? Surroundings::closed : Surroundings::open);

@@ -38,11 +38,25 @@ void draw_rigid_velocities(System<2>& system, double kinetic_energy, std::int64_
     r.spin[k] = std::sqrt(kinetic_energy / r.inertia[k]) * gaussian();
   }
   place_sites(system);
+}
+
+/// Takes the mean velocity away, and gives back the energy that went with it.
+void leave_in_place(System<2>& system, double energy) {
   const Vec2 total = momentum(system);
   double mass = 0;
   for (const double m : system.state.mass) mass += m;
+  RigidBodies& r = system.rigid;
   for (Vec2& v : r.velocity) v -= (1 / mass) * total;
   for (Vec2& v : system.state.velocity) v -= (1 / mass) * total;
+  place_sites(system);
+  const double left = kinetic_energy(system);
+  if (!(left > 1e-20 * energy))
+    throw input_error("motion.kinetic_energy of one disc", "without net momentum it stays where it is",
+                      "raise bodies.N, or set motion.kinetic_energy = 0");
+  const double factor = std::sqrt(energy / left);
+  for (Vec2& v : r.velocity) v *= factor;
+  for (double& w : r.spin) w *= factor;
+  for (Vec2& v : system.state.velocity) v *= factor;
   place_sites(system);
 }
 
@@ -57,22 +71,21 @@ void put_at_rest(System<2>& system) {
   system.step = 0;
 }
 
-void draw_velocities(System<2>& system, double kinetic_energy, std::int64_t seed) {
+void draw_velocities(System<2>& system, double energy, std::int64_t seed) {
   State<2>& s = system.state;
-  Vec2 total{};
-  double mass = 0;
   for (int i = 0; i < s.size(); ++i) {
     RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_velocity,
                       static_cast<std::uint64_t>(i));
     // Box and Muller: two Gaussians, each with half of the energy.
-    const double size = std::sqrt(-2 * std::log(1 - draw.uniform()) * kinetic_energy / s.mass[i]);
+    const double size = std::sqrt(-2 * std::log(1 - draw.uniform()) * energy / s.mass[i]);
     const double angle = 2 * std::numbers::pi * draw.uniform();
     s.velocity[i] = {size * std::cos(angle), size * std::sin(angle)};
-    total += s.mass[i] * s.velocity[i];
-    mass += s.mass[i];
   }
-  for (Vec2& v : s.velocity) v -= (1 / mass) * total;
-  draw_rigid_velocities(system, kinetic_energy, seed);
+  draw_rigid_velocities(system, energy, seed);
+  // A rigid body has three motions, each with as much as one of the two of a site.
+  int free = s.size();
+  for (const std::int32_t b : system.rigid.body) free -= system.topology.body_size(b);
+  leave_in_place(system, energy * (free + 1.5 * static_cast<double>(system.rigid.body.size())));
 }
 
 std::vector<Column> motion_columns(const Packing& packing) {

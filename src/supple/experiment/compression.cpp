@@ -76,19 +76,21 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
 /// Which way the list is walked; a column of the table.
 enum class Branch { compression = 1, decompression = -1 };
 
-/// Packing fractions and pressures of a branch.
+/// Packing fractions and pressures of a branch, and whether the packing rearranged on the way to each.
 struct Course {
   std::vector<double> packing_fraction, pressure;
+  std::vector<std::uint8_t> rearranged;
 };
 
-/// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13].
+/// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the part of
+/// the branch at the lowest pressures that holds no rearrangement: before and after one it is another packing.
 void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest,
                   Recorder& recorder) {
-  const auto fit = fit_onset(course.packing_fraction, course.pressure, highest);
+  const auto fit = fit_onset(course.packing_fraction, course.pressure, course.rearranged, highest);
   if (!fit) return;
   recorder.value(
       "results",
-      {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades"},
+      {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades without rearrangement"},
       fit->packing_fraction, fit->packing_fraction_error);
   recorder.value(
       "results",
@@ -99,13 +101,14 @@ void record_onset(const Course& course, const std::string& branch, const Packing
 }  // namespace
 
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derive_jamming(c, initial);
+  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial));
   all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
   return all;
 }
 
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
-  std::vector<double> list = pressure_list(c);
+  const std::vector<double> list = pressure_list(c);
+  std::vector<double> ascent = list;
   Packing packing = make_periodic_packing(c, initial);
   begin_packing(packing, derive_compression(c, initial), recorder);
   std::vector<Column> columns = packing_columns(packing);
@@ -120,10 +123,10 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   JamProgress last;
   Snapshot before;
   Course up, down;
-  const auto total = static_cast<std::int64_t>(list.size() * (c.compression.decompress ? 2 : 1));
-  std::int64_t done = 0;
+  std::int64_t done = 0, total = 0;
   const auto watch = [&](const JamProgress& p) {
-    recorder.progress(fmt::format("P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), done, total);
+    recorder.progress(fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
+                      done, total);
     return !recorder.stop_requested();
   };
   const auto go_to = [&](double pressure, Branch branch) {
@@ -146,22 +149,30 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     Course& course = branch == Branch::compression ? up : down;
     course.packing_fraction.push_back(report.fraction.total);
     course.pressure.push_back(row[1]);  // full pressure
+    course.rearranged.push_back(change.rearranged());
     recorder.frame(packing_frame(packing, report));
     before = std::move(now);
     ++done;
   };
   try {
-    // A packing that is already compressed goes on from its pressure: taking it back first would change it.
+    // A packing that is already compressed goes on from its pressure: taking it back first would change it. It comes
+    // back to all pressures of the list.
     if (initial) {
-      relax(packing);
+      require_converged(packing, relax(packing), "the packing to start from");
       const double present = observe(packing).pressure;
-      std::erase_if(list, [&](double pressure) { return pressure < present; });
+      std::erase_if(ascent, [&](double pressure) { return pressure * (1 + c.jamming.window) <= present; });
+      if (ascent.empty() && !c.compression.decompress)
+        throw input_error(fmt::format("the state to start from has the pressure {:.4g}", present),
+                          fmt::format("compression.highest_pressure = {} is below", c.compression.highest_pressure),
+                          "raise it, or set compression.decompress = true");
     }
-    for (const double pressure : list) go_to(pressure, Branch::compression);
-    if (c.compression.decompress)
-      for (auto p = list.rbegin() + 1; p != list.rend(); ++p) go_to(*p, Branch::decompression);
+    const std::size_t descent = !c.compression.decompress ? 0 : list.size() - !ascent.empty();
+    total = static_cast<std::int64_t>(ascent.size() + descent);
+    for (const double pressure : ascent) go_to(pressure, Branch::compression);
+    for (std::size_t k = descent; k-- > 0;) go_to(list[k], Branch::decompression);
+    recorder.progress("compress", total, total);
   } catch (const Error&) {
-    hand_over(packing, recorder);
+    hand_over_packing(packing, recorder);
     throw;
   }
   const double linear = 0.1 * c.compression.highest_pressure * (1 + c.jamming.window);

@@ -79,6 +79,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
     if (recorder.stop_requested()) stopped_after = i + 1;
   }
+  recorder.progress("dynamics", steps, steps);
   const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
   table.finish(s.system, s.stepper->evaluate(s.system, rates));
   if (stopped_after > 0)

@@ -37,6 +37,21 @@ double surface_slope(const System<2>& s, double front) {
   return -(xy - x * y) / (xx - x * x);
 }
 
+double largest_imbalance(const System<2>& s, const Evaluation<2>& evaluation, double gravity) {
+  double most = 0;
+  for (int b = 0; b < s.topology.body_count(s.state.size()); ++b) {
+    Vec2 force{};
+    double mass = 0;
+    const int begin = s.topology.body_begin(b);
+    for (int i = begin; i < begin + s.topology.body_size(b); ++i) {
+      force += evaluation.force[i];
+      mass += s.state.mass[i];
+    }
+    most = std::max(most, norm(force) / (mass * gravity));
+  }
+  return most;
+}
+
 }  // namespace
 
 double mean_diameter(const System<2>& system) {
@@ -78,9 +93,12 @@ Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2
   h.walls = sum_wall_forces(evaluation.wall);
   for (double* force : {&h.walls.left, &h.walls.right, &h.walls.floor, &h.walls.lid, &h.walls.drag})
     *force /= w;
+  h.imbalance = largest_imbalance(system, evaluation, -field.external().gravity[gradient]);
   h.motion = h.kinetic / (w * mean_diameter(system));
   return h;
 }
+
+bool is_at_rest(const Heap& heap, double motion) { return heap.motion < motion && heap.imbalance < 0.01; }
 
 std::vector<Column> heap_columns() {
   return {{"time", "", "time"},
@@ -111,7 +129,8 @@ std::vector<std::pair<Column, double>> heap_results(const Heap& h) {
           {{"spread", "", "twice the mean distance of the mass from the left wall"}, h.spread},
           {{"slope", "", "slope of the surface, downward to the right,"}, h.slope},
           {{"floor_force", "weight", "upward force of the floor"}, h.walls.floor},
-          {{"motion", "", "kinetic energy over that of a fall by one diameter"}, h.motion}};
+          {{"motion", "", "kinetic energy over that of a fall by one diameter"}, h.motion},
+          {{"imbalance", "weight", "largest net force on a particle over its weight"}, h.imbalance}};
 }
 
 }  // namespace supple

@@ -18,10 +18,15 @@ struct Heap {
   double slope = 0;   ///< of the line through the surface, downward to the right
   WallForces walls;   ///< [weight of all particles]
   double motion = 0;  ///< kinetic energy over that of a fall of all particles by their mean diameter
+  double imbalance = 0;  ///< largest net force on a particle over its weight
 };
 
 /// The instant of `evaluation`. Needs gravity.
 Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
+
+/// Whether it lies still: less `motion` than that, and the forces on every particle in balance to 1 % of its weight.
+/// At the top of a bounce nothing moves, but nothing bears the weight either.
+bool is_at_rest(const Heap& heap, double motion);
 
 /// Its table.
 std::vector<Column> heap_columns();

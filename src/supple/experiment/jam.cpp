@@ -110,6 +110,9 @@ class Search {
     // A state is not taken before it is in equilibrium; a second run starts where the first gave up.
     if (!progress_.last.converged && in_window(spec_, progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
+    if (progress_.last.ending == Ending::exhausted)
+      require_converged(packing_, progress_.last, fmt::format("the state at P = {:.3g}", progress_.state.pressure));
+    progress_.unconverged += progress_.last.ending == Ending::stalled;
     Point point{packing_.system, density, below ? 0 : progress_.state.pressure, look_at(packing_)};
     if (!unsound(point) && callback_ && !callback_(progress_))
       throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
@@ -128,7 +131,6 @@ class Search {
 
   bool minimise_exactly() {
     count(relax(packing_));
-    progress_.unconverged += !progress_.last.converged;
     return false;
   }
 
@@ -164,6 +166,7 @@ class Search {
   }
 
   JamProgress accept(const Point& p) {
+    require_converged(packing_, progress_.last, "the jammed state");
     packing_.system = p.system;
     return progress_;
   }

@@ -46,8 +46,9 @@ bool in_window(const JamSpec& spec, double pressure);
 void require_room(const Packing& packing);
 
 /// Takes the packing to the wanted pressure by isotropic compression. Throws a numerics error where no state in the
-/// window exists within rounding, with the packing at the last state below, and `interrupted` when the callback says
-/// so, with the packing just minimised. An input error where the cell gets too small for its particles.
+/// window exists within rounding, with the packing at the last state below, or where a minimisation was exhausted or
+/// that of the jammed state did not converge, with the packing last relaxed; `interrupted` when the callback says so,
+/// with the packing just minimised, and within a minimisation, with the packing last relaxed. An input error where the cell gets too small for its particles.
 JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback = {});
 
 }  // namespace supple

@@ -82,6 +82,7 @@ class Press {
     for (int k = 0, losses = 0; k < most_rounds && losses < 2; ++k) {
       press(1, k < 3 ? coarse_tolerance() : packing_.tolerance);
       const MinimiseReport report = relax(packing_);
+      if (report.ending == Ending::exhausted) require_converged(packing_, report, "the hardened packing");
       progress_.unconverged += !report.converged;
       if (must_stop(packing_, look_at(packing_))) return false;
       count(report, report.converged);
@@ -154,10 +155,12 @@ class Press {
         return std::abs(ratio_ - ratio) < 0.3 * ratio && std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
       };
       const MinimiseReport report = minimise(objective, x, packing_.minimise, watch);
+      require_going_on(packing_, report);
+      if (report.ending == Ending::exhausted) require_converged(packing_, report, "the cell at constant pressure");
       require_room(packing_);
       learn_ratio(ratio * wanted);
       count(report, false);
-      if (report.reason != "stopped by the caller") break;
+      if (report.ending != Ending::stopped) break;
     }
   }
 

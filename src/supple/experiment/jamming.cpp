@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/experiment/way_to_jam.hpp"
 
 namespace supple {
 
@@ -21,7 +19,10 @@ JamSpec jam_spec(const Case& c) {
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
   const Packing packing = make_periodic_packing(c, initial);
-  return derived_equilibria(packing);
+  std::vector<Derived> all = derived_equilibria(packing);
+  all.push_back({{"evaluations", "", "force evaluations, within a factor of about two"},
+                 evaluations_to_jam(packing.system.state.size())});
+  return all;
 }
 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
@@ -34,7 +35,7 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
                                {"residual", "", "largest net force on a vertex"},
                                {"evaluations", "", "force evaluations so far"},
                                {"unsound", "", unsound_meaning}});
-  const double start = std::log(c.jamming.packing_fraction);
+  WayToJam way(c.jamming.pressure);
   const auto watch = [&](const JamProgress& p) {
     const double phi = reached_fraction(packing, p);
     const double row[] = {phi,
@@ -45,10 +46,8 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
                           static_cast<double>(p.evaluations),
                           static_cast<double>(look_at(packing).bodies())};
     if (p.settled) recorder.append("packing", row);
-    // The way from the start to about 0.84 in packing fraction, which nobody knows exactly before.
-    const double way = (std::log(phi) - start) / (std::log(0.9) - start);
-    recorder.progress(fmt::format("jam, phi = {:.4f}, P = {:.2e}", phi, p.state.pressure),
-                      static_cast<std::int64_t>(1000 * std::clamp(way, 0.0, 1.0)), 1000);
+    recorder.progress(fmt::format("jam: phi = {:.4f}, P = {:.2e}", phi, p.state.pressure),
+                      static_cast<std::int64_t>(999 * way.share(p)), 1000);
     return !recorder.stop_requested();
   };
   try {
@@ -56,9 +55,10 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
     if (initial && spec.search == JamSearch::pressure)
       spec.search = JamSearch::root;  // soft contacts would rearrange it
     const JamProgress end = jam(packing, spec, watch);
+    recorder.progress("jam", 1000, 1000);
     record_packing(packing, end, recorder);
   } catch (const Error&) {
-    hand_over(packing, recorder);
+    hand_over_packing(packing, recorder);
     throw;
   }
 }

@@ -160,6 +160,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
     if (i < protocol.steps) s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("oscillatory shear", i, protocol.steps);
   }
+  recorder.progress("oscillatory shear", protocol.steps, protocol.steps);
   const Evaluation<2>& last = s.stepper->evaluate(s.system, {});
   table.finish(s.system, last);
   record_moduli(table, protocol.windows, protocol.correction, gap_of(s.system, s.units), recorder);

@@ -11,6 +11,7 @@
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "supple/energy/collapse.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/force/polygon_shape.hpp"
@@ -202,9 +203,27 @@ std::string what_to_do_about_start(const Soundness& s) {
                                : "move them apart");
 }
 
+/// Input error where line tension would shrink a particle to a point.
+void check_tension(const System<2>& s) {
+  const Topology<2>& t = s.topology;
+  for (std::size_t b = 0; b < s.shape.stiffness.size(); ++b) {
+    const ShapeStiffness& k = s.shape.stiffness[b];
+    if (!(k.tension > 0)) continue;
+    const auto begin = static_cast<std::size_t>(t.facet_begin[b]), end = static_cast<std::size_t>(t.facet_begin[b + 1]);
+    const double most = collapsing_tension(k, s.shape.rest_volume[b],
+                                           std::span(s.shape.rest_facet).subspan(begin, end - begin));
+    if (k.tension < most) continue;
+    throw input_error(
+        fmt::format("the line tension of particle {} is {:.4g} times what its area and edges bear", b, k.tension / most),
+        "it has no equilibrium: it shrinks to a point",
+        fmt::format("lower bodies.gamma below {:.4g} of what it is, or raise bodies.k_a or bodies.k_l", most / k.tension));
+  }
+}
+
 /// What the case says of these particles.
 Packing packing_of(const Case& c, System<2> system) {
   require_sane(system, "this packing");
+  check_tension(system);
   Packing p;
   p.system = std::move(system);
   p.field = make_body_field(c);
@@ -285,7 +304,39 @@ Packing make_periodic_packing(const Case& c, const InitialState* initial) {
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
   BodyObjective objective(packing.system, *packing.field, packing.tolerance);
   std::vector<double> x = objective.coordinates();
-  return minimise(objective, x, packing.minimise, callback);
+  const MinimiseReport report = minimise(objective, x, packing.minimise, callback);
+  require_going_on(packing, report);
+  if (report.converged) packing.relaxed = packing.system;
+  return report;
+}
+
+namespace {
+
+void go_back(Packing& packing) {
+  if (packing.relaxed) packing.system = *packing.relaxed;
+  packing.field->invalidate();
+}
+
+}  // namespace
+
+void require_going_on(Packing& packing, const MinimiseReport& report) {
+  if (report.ending != Ending::interrupted && report.ending != Ending::not_finite) return;
+  go_back(packing);
+  if (report.ending == Ending::interrupted)
+    throw Error(ErrorKind::interrupted, "interrupted within a minimisation");
+  throw numerics_error(fmt::format("a minimisation ended after {} evaluations", report.evaluations), report.reason,
+                       "take smaller steps, or another seed");
+}
+
+void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where) {
+  if (report.converged) return;
+  go_back(packing);
+  const bool exhausted = report.ending == Ending::exhausted;
+  throw numerics_error(fmt::format("{} is not in equilibrium", where),
+                       fmt::format("{}; the largest net force is {:.3g}, the tolerance {:.3g}", report.reason,
+                                   report.residual, report.tolerance),
+                       exhausted ? "raise minimise.max_evaluations"
+                                 : "raise minimise.force_tolerance or minimise.least_force, or take another seed");
 }
 
 double least_energy(Packing& packing, double pressure) {

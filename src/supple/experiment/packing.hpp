@@ -2,6 +2,7 @@
 /// it.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "supple/experiment/case.hpp"
@@ -29,6 +30,7 @@ struct Packing {
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
   double shape_area = 0;          ///< of their polygons and discs then
   OnUnsound on_unsound = OnUnsound::stop;
+  std::optional<System<2>> relaxed;  ///< as relax() last left it in equilibrium
 };
 
 /// The particles of the case at random positions that do not overlap in a square periodic cell of this
@@ -61,8 +63,16 @@ struct PackingState {
   double energy = 0;
 };
 
-/// Minimises the energy in the present cell. Not to converge is no error: the report says so.
+/// Minimises the energy in the present cell. Not to converge is no error: the report says so. Where the user asked to
+/// stop, and where energies are not finite, it goes back to `relaxed` and throws.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
+
+/// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its tolerance;
+/// `where` says of which state.
+void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where);
+
+/// Goes back to `relaxed` and throws where a minimisation was interrupted or met numbers that are not finite.
+void require_going_on(Packing& packing, const MinimiseReport& report);
 
 /// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V =
 /// sum f r <= sqrt(2 U K), K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without

@@ -56,7 +56,8 @@ std::vector<Derived> derived_equilibria(const Packing& packing) {
   return all;
 }
 
-void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
+void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
+  packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   recorder.begin(make_run_info(packing.system, reduced_units()));
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
   const Harmonic law = packing.field->bodies()->law();
@@ -190,6 +191,22 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   warn(r, progress, recorder);
   record_environment(packing, recorder);
   recorder.final_state(packing.system, r.evaluation);
+}
+
+void hand_over_packing(Packing& packing, Recorder& recorder) {
+  hand_over(packing, recorder);  // whatever can be said of it
+  try {
+    const PackingReport r = report_packing(packing);
+    JamProgress work;
+    work.minimisations = 1;  // it rests: no kinetic part
+    const std::vector<Column> columns = packing_columns(packing);
+    const std::vector<double> row = packing_row(packing, r, work);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      for (const char* name : {"packing_fraction", "pressure", "contact_pressure", "energy", "residual"})
+        if (columns[k].name == name) recorder.value("results", columns[k], row[k]);
+    recorder.frame(packing_frame(packing, r));
+  } catch (const Error&) {  // the run already ends for another reason, which is the one to report
+  }
 }
 
 void hand_over(Packing& packing, Recorder& recorder) {

@@ -15,8 +15,8 @@ std::vector<Derived> derived_packing(const Packing& packing);
 /// The same for experiments that minimise, with what they call equilibrium.
 std::vector<Derived> derived_equilibria(const Packing& packing);
 
-/// Begins the run: sizes, bodies, constants.
-void begin_packing(const Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
+/// Begins the run: sizes, bodies, constants. From then on minimisations of the packing heed the recorder's stop requests.
+void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
 
 /// Everything that is said of a packing at one instant.
 struct PackingReport {
@@ -58,6 +58,9 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
 
 /// Walls and gravity of a packing as they are.
 Environment environment_of(const Packing& packing);
+
+/// The same of a packing in a cell, with what it is there: a frame, its fraction, pressures and residual.
+void hand_over_packing(Packing& packing, Recorder& recorder);
 
 /// The state as it is, for a run that ends early.
 void hand_over(Packing& packing, Recorder& recorder);

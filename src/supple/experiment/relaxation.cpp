@@ -57,7 +57,10 @@ std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, cons
     spread = run_window(system, stepper, units, spec.window, spec.time_step, 0.98);
     done += spec.window;
     recorder.append("preparation", std::vector<double>{static_cast<double>(done), spread});
-    if (spread < spec.tolerance) return done;
+    if (spread < spec.tolerance) {
+      recorder.progress(phase, done, done);
+      return done;
+    }
     if (done >= spec.most_steps)
       throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa", phase,
                                        spread, done, spec.tolerance),

@@ -95,7 +95,8 @@ class MovingHeap {
   void move(const std::string& phase, double time) {
     const std::int64_t steps = steps_of(case_, time, dt_),
                        least = steps_of(case_, std::min(time, time_to_start), dt_);
-    for (std::int64_t i = 0; i < steps; ++i) {
+    std::int64_t i = 0;
+    for (; i < steps; ++i) {
       if (i % look_interval(steps) == 0) good_.look();
       if (i % per_frame_ == 0) take_frame();
       dynamics_.advance(packing_.system, dt_);
@@ -104,8 +105,9 @@ class MovingHeap {
         throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", packing_.system.step));
       if ((i + 1) % per_row_ != 0) continue;
       append();
-      if (i >= least && heap_.motion < case_.slump.rest) break;
+      if (i >= least && is_at_rest(heap_, case_.slump.rest)) break;
     }
+    recorder_.progress(phase, i, i);
     append();
   }
 
@@ -121,10 +123,10 @@ class MovingHeap {
   void record(const std::string& prefix, const std::string& when) {
     for (const auto& [name, value] : heap_results(heap_))
       recorder_.value("results", {prefix + name.name, name.unit, name.meaning + when}, value);
-    if (heap_.motion > case_.slump.rest)
-      recorder_.warning(fmt::format(
-          "the heap still moves{}: its kinetic energy is {:.1e} of what falling by a diameter gives", when,
-          heap_.motion));
+    if (!is_at_rest(heap_, case_.slump.rest))
+      recorder_.warning(fmt::format("the heap is not at rest{}: its kinetic energy is {:.1e} of what falling by a "
+                                    "diameter gives, and the largest net force {:.1e} of a particle's weight",
+                                    when, heap_.motion, heap_.imbalance));
   }
 
   /// The state as it is, for a run that ends early.

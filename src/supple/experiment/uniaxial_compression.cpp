@@ -84,7 +84,7 @@ JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
   spec.step = 5e-3;
   return jam(packing, spec, [&](const JamProgress& p) {
     recorder.progress(
-        fmt::format("squeeze to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0, 0);
+        fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0, 0);
     return !recorder.stop_requested();
   });
 }
@@ -105,13 +105,15 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
   for (std::int64_t k = 0; k <= steps; ++k) {
     const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
     lower_wall(packing.system, height * (1 - strain));
-    count(work, relax(packing));
     packing.system.time = strain;
+    const MinimiseReport report = relax(packing);
+    count(work, report);
+    require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
     good.look();
-    const PackingReport report = report_packing(packing);
-    recorder.append("packing", uniaxial_row(packing, report, work, strain));
-    if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, report));
-    recorder.progress(fmt::format("strain {:.3f}", strain), k, steps);
+    const PackingReport row = report_packing(packing);
+    recorder.append("packing", uniaxial_row(packing, row, work, strain));
+    if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, row));
+    recorder.progress(fmt::format("compress: strain {:.3f}", strain), k, steps);
     if (recorder.stop_requested())
       throw Error(ErrorKind::interrupted, fmt::format("interrupted at strain {:.4f}", strain));
   }
@@ -135,7 +137,7 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
     if (!initial && c.uniaxial.pressure > 0) work = squeeze(c, packing, recorder);
     compress(c, packing, work, recorder);
   } catch (const Error&) {
-    hand_over(packing, recorder);
+    hand_over_packing(packing, recorder);
     throw;
   }
   const PackingReport report = report_packing(packing);

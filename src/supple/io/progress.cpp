@@ -35,7 +35,7 @@ ProgressLine::ProgressLine(std::ostream& out, Style style, Clock clock)
 
 void ProgressLine::begin_phase(const std::string& phase, double now) {
   finish();
-  phase_ = phase;
+  phase_ = phase.substr(0, phase.find(": "));
   phase_start_ = now;
   last_shown_ = -INFINITY;
   tenths_ = -1;
@@ -43,7 +43,7 @@ void ProgressLine::begin_phase(const std::string& phase, double now) {
 
 std::string ProgressLine::describe(std::int64_t done, std::int64_t total, double now) const {
   const double rate = static_cast<double>(done - first_done_) / std::max(now - phase_start_, 1e-9);
-  std::string text = fmt::format("{:<12}", phase_);
+  std::string text = fmt::format("{:<12}", shown_);
   if (total > 0) {
     const double share = std::clamp(static_cast<double>(done) / static_cast<double>(total), 0.0, 1.0);
     if (style_ == Style::bar) text += " " + bar(share);
@@ -70,7 +70,8 @@ void ProgressLine::draw(const std::string& line) {
 
 void ProgressLine::update(const std::string& phase, std::int64_t done, std::int64_t total) {
   const double now = clock_();
-  if (phase != phase_) {
+  shown_ = phase;
+  if (phase.substr(0, phase.find(": ")) != phase_) {
     begin_phase(phase, now);
     first_done_ = done;
   }

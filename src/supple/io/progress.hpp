@@ -17,7 +17,8 @@ class ProgressLine {
 
   ProgressLine(std::ostream& out, Style style, Clock clock = seconds_now);
 
-  /// `total` 0: unknown.
+  /// `total` 0: unknown. What `phase` says after ": " is of the moment ("jam: phi = 0.81"): it is shown, and the phase
+  /// goes on.
   void update(const std::string& phase, std::int64_t done, std::int64_t total);
   /// A line of its own, above the bar.
   void message(const std::string& text);
@@ -34,7 +35,7 @@ class ProgressLine {
   std::ostream& out_;
   Style style_;
   Clock clock_;
-  std::string phase_;
+  std::string phase_, shown_;  ///< its name, and with what it says of the moment
   double phase_start_ = 0, last_shown_ = 0;
   std::int64_t first_done_ = 0;
   int tenths_ = -1;

@@ -34,4 +34,22 @@ std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::sp
   return Onset{phi - ease * p, 1 / ease, std::sqrt(variance * (1.0 / n + p * p / pp)), ease_error / (ease * ease), n};
 }
 
+std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::span<const double> pressure,
+                               std::span<const std::uint8_t> rearranged, double highest) {
+  if (rearranged.size() != pressure.size() || packing_fraction.size() != pressure.size())
+    throw input_error("cannot fit an onset", "there are not as many pressures as packing fractions");
+  std::optional<Onset> best;
+  double lowest = 0;
+  for (std::size_t begin = 0, end; begin < pressure.size(); begin = end) {
+    for (end = begin + 1; end < pressure.size() && !rearranged[end];) ++end;
+    const auto part = pressure.subspan(begin, end - begin);
+    const auto fit = fit_onset(packing_fraction.subspan(begin, end - begin), part, highest);
+    const double least = *std::min_element(part.begin(), part.end());
+    if (!fit || (best && least >= lowest)) continue;
+    best = fit;
+    lowest = least;
+  }
+  return best;
+}
+
 }  // namespace supple

@@ -1,5 +1,6 @@
 /// Where pressure begins: the packing fraction at which a branch of compressed packings would lose it.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -17,5 +18,11 @@ struct Onset {
 /// grow with P.
 std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::span<const double> pressure,
                                double highest);
+
+/// The same of a branch along which the packing may have rearranged: `rearranged` says so of the way from the point
+/// before to each. Only points between two rearrangements are of one packing: of these parts the one of the lowest
+/// pressures that can be fitted.
+std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::span<const double> pressure,
+                               std::span<const std::uint8_t> rearranged, double highest);
 
 }  // namespace supple

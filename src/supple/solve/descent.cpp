@@ -21,29 +21,34 @@ bool Descent::evaluate_slope() {
 bool Descent::look() {
   report.residual = objective.residual(x, gradient);
   report.tolerance = objective.tolerance();
+  if (stop_requested && stop_requested()) stop(Ending::interrupted, "interrupted");
   return std::isfinite(dot(gradient, gradient));
 }
 
 void Descent::count_iteration() {
   ++report.iterations;
   if (!callback || report.iterations % callback_interval != 0) return;
-  if (!callback(report) && report.residual > report.tolerance) stop("stopped by the caller");
+  if (!callback(report) && report.residual > report.tolerance) 
+    stop(Ending::stopped, "stopped by the caller");
 }
 
 bool Descent::finished() {
   if (stopped_) return true;
   if (report.residual <= report.tolerance) {
     report.converged = true;
+    report.ending = Ending::converged;
     report.reason = "converged";
     return true;
   }
-  if (report.evaluations >= max_evaluations)
-    stop(fmt::format("{} evaluations were not enough", max_evaluations));
+  if (report.evaluations + report.factorisations >= max_evaluations)
+    stop(Ending::exhausted, fmt::format("{} evaluations were not enough", max_evaluations));
   return stopped_;
 }
 
-void Descent::stop(const std::string& reason) {
+void Descent::stop(Ending ending, const std::string& reason) {
+  if (stopped_) return;
   stopped_ = true;
+  report.ending = ending;
   report.converged = false;
   report.reason = reason;
 }

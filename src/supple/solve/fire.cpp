@@ -169,9 +169,10 @@ void Fire::turn_back(Descent& descent) {
 /// Back to the last place that was fine, with smaller steps.
 void Fire::recover(Descent& descent) {
   std::copy(last_good_.begin(), last_good_.end(), descent.x.begin());
-  if (!descent.evaluate()) return descent.stop("energy or gradient is not finite");
+  if (!descent.evaluate()) return descent.stop(Ending::not_finite, "energy or gradient is not finite");
   safety_ *= 0.5;
-  if (safety_ < 1e-6) return descent.stop("energy or gradient is not finite however small the step");
+  if (safety_ < 1e-6)
+    return descent.stop(Ending::not_finite, "energy or gradient is not finite however small the step");
   start(descent);
 }
 

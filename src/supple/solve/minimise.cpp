@@ -63,7 +63,8 @@ MinimiseReport minimise(Objective& objective, std::span<double> x, const Minimis
   descent.max_evaluations = spec.max_evaluations;
   descent.callback_interval = std::max(1L, spec.callback_interval);
   descent.callback = callback;
-  if (!descent.evaluate()) descent.stop("energy or gradient is not finite at the start");
+  descent.stop_requested = spec.stop_requested;
+  if (!descent.evaluate()) descent.stop(Ending::not_finite, "energy or gradient is not finite at the start");
 
   Fire fire(spec.fire);
   Newton newton(spec.newton);
@@ -73,7 +74,7 @@ MinimiseReport minimise(Objective& objective, std::span<double> x, const Minimis
     if (spec.method == Minimiser::fire) fire.run(descent, 1, fire_round);
     else newton_or_fire(newton, fire, descent);
     if (!descent.finished() && !progress.goes_on(descent.report))
-      descent.stop("the residual falls no further");
+      descent.stop(Ending::stalled, "the residual falls no further");
   }
   return descent.report;
 }

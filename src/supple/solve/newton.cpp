@@ -10,7 +10,13 @@ namespace {
 
 constexpr double least_shift =
     1e-11;                 // of the largest diagonal element: above the rounding of the factorisation
+constexpr double smallest_shift = 1e-290;  // or doubling would stay at 0
 constexpr int window = 15;  // iterations over which the present rate of convergence is measured
+
+bool is_finite(const SparseMatrix& lower) {
+  return std::all_of(lower.valuePtr(), lower.valuePtr() + lower.nonZeros(),
+                     [](double value) { return std::isfinite(value); });
+}
 
 }  // namespace
 
@@ -23,7 +29,7 @@ bool Newton::run(Descent& descent, long iterations) {
 
 bool Newton::iterate(Descent& descent) {
   for (int attempt = 0; attempt < 6; ++attempt) {
-    if (!factorised_ || is_stale(descent.report.residual)) refresh(descent);
+    if ((!factorised_ || is_stale(descent.report.residual)) && !refresh(descent)) return descent.finished();
     find_direction(descent.gradient);
     double slope = dot(direction_, descent.gradient);
     if (!(slope < 0) && !pairs_.empty()) {
@@ -56,20 +62,25 @@ double Newton::shift_for(const Descent& descent) const {
                    damping_ * largest(descent.gradient) / scale, 0.5 * needed_shift_});
 }
 
-void Newton::refresh(Descent& descent) {
+bool Newton::refresh(Descent& descent) {
   // Newton itself needs the Hessian; memory makes up for what a cheaper matrix leaves out.
   if (spec_.memory == 0) descent.objective.hessian(descent.x, hessian_);
   else descent.objective.preconditioner(descent.x, hessian_);
+  factorised_ = false;
+  if (!is_finite(hessian_)) return false;  // two discs at one point, say
   factorisation_.set(hessian_);
   double shift = shift_for(descent);
   needed_shift_ = 0;
   while (++descent.report.factorisations, !factorisation_.factorise(shift)) {
-    shift = std::max(2 * shift, shift - 2 * factorisation_.negative_curvature());
+    if (descent.finished()) return false;
+    shift = std::max({2 * shift, shift - 2 * factorisation_.negative_curvature(), smallest_shift});
+    if (!std::isfinite(shift)) return false;
     needed_shift_ = shift;
   }
   pairs_.clear();
   history_.assign(1, descent.report.residual);
   factorised_ = true;
+  return true;
 }
 
 /// Whether a new factorisation now would have reduced the residual faster, per unit of work, than this one

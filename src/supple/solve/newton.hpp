@@ -30,7 +30,8 @@ class Newton {
   };
 
   bool iterate(Descent& descent);
-  void refresh(Descent& descent);
+  /// False, with no factorisation, where second derivatives are not finite, or when it is time to stop.
+  bool refresh(Descent& descent);
   void find_direction(std::span<const double> gradient);
   void remember(const std::vector<double>& before, double step, std::span<const double> gradient);
   bool is_stale(double residual);
