@@ -23,16 +23,22 @@ std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting) {
 
 namespace {
 
-/// Width of the smallest circle round the mean of the sites that holds the body.
+/// The largest extent of the body along a periodic axis of the cell. Images one cell along the gradient, however far they are
+/// displaced along the flow, are as far away in height as the cell is high; all others are a multiple of its length away.
 template <int Dim>
-double width_of_body(const State<Dim>& state, std::int32_t begin, std::int32_t end) {
-  Vec<Dim> sum{};
-  for (std::int32_t i = begin; i < end; ++i) sum += state.position[i] - state.position[begin];
-  const Vec<Dim> centre = state.position[begin] + (1.0 / (end - begin)) * sum;
-  double radius = 0;
-  for (std::int32_t i = begin; i < end; ++i)
-    radius = std::max(radius, norm(state.position[i] - centre) + state.radius[i]);
-  return 2 * radius;
+double extent_of_body(const System<Dim>& system, std::int32_t begin, std::int32_t end) {
+  const State<Dim>& state = system.state;
+  double extent = 0;
+  for (int d = 0; d < Dim; ++d) {
+    if (!system.box.periodic[d]) continue;
+    double low = state.position[begin][d], high = low;
+    for (std::int32_t i = begin; i < end; ++i) {
+      low = std::min(low, state.position[i][d] - state.radius[i]);
+      high = std::max(high, state.position[i][d] + state.radius[i]);
+    }
+    extent = std::max(extent, high - low);
+  }
+  return extent;
 }
 
 }  // namespace
@@ -48,8 +54,7 @@ double least_period(const System<Dim>& system, const std::vector<double>& reach)
     const double own = *std::max_element(reach.begin() + begin, reach.begin() + end);
     second = std::max(second, std::min(own, largest));
     largest = std::max(largest, own);
-    width = std::max(width, end - begin == 1 ? 2 * system.state.radius[begin]
-                                             : width_of_body(system.state, begin, end));
+    width = std::max(width, extent_of_body(system, begin, end));
   }
   return std::max(width, bodies > 1 ? 2 * (largest + second) : 0.0);
 }
