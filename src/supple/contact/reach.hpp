@@ -16,7 +16,7 @@ template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting);
 
 /// The shortest period in which every contact is with the nearest image, and with no other one [length]: twice the
-/// largest reach of two sites of different bodies, and the width of every body. In a shorter one a site may meet
+/// largest reach of two sites of different bodies, and the extent of every body along it. In a shorter one a site may meet
 /// another body on two sides, or a body itself.
 template <int Dim>
 double least_period(const System<Dim>& system, const std::vector<double>& reach);
