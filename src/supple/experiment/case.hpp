@@ -125,7 +125,7 @@ struct Motion {
 struct Output {
   std::string file;           ///< empty: <case name>.h5 beside the current folder
   bool tensors = true;        ///< every tensor at every step
-  int frames = 25;            ///< evenly spaced over the protocol; dynamics: every step unless given
+  int frames = 49;            ///< evenly spaced over the protocol, a quarter of a period by default; dynamics: every step
   int images = 0;             ///< evenly spaced images over the protocol
   std::string image_format = "png";
   bool plot = true;           ///< also draw strain and stress against time
@@ -209,8 +209,9 @@ bool is_deformable(const Case& c);
 /// The sections that the case's experiment reads.
 std::vector<std::string> sections_of(const Case& c);
 
-/// The published package shears for three periods unless told. Stiffnesses that were not given get those of the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless
-/// given, lets a particle lose its velocity while it falls by its diameter.
+/// The published package shears for three periods unless told. Stiffnesses that were not given get those of the family
+/// [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given, lets a particle lose its velocity while it falls by
+/// its diameter.
 void resolve_family(Case& c);
 
 /// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).
