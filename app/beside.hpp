@@ -19,6 +19,9 @@ std::string snapshot_path(const std::string& run);
 /// `to`: csv, text, state, xyz, vtp, packing.
 std::string export_path(const std::string& run, const std::string& to);
 
+/// Throws where what is made of a run may not be written to `file`: it is there, or it is the run itself.
+void check_output_of(const std::string& run_path, const std::string& file, Existing existing);
+
 /// The state that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
 

@@ -1,5 +1,5 @@
 /// The commands behind `supple NAME`. They print to stdout, and progress and warnings to stderr; what goes
-/// wrong is thrown as supple::Error.
+/// wrong is thrown as supple::Error. Where they write a file, the name - is stdout.
 #pragma once
 #include <optional>
 #include <string>
@@ -33,8 +33,9 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
 /// Experiments, laws and choices, every parameter with unit, default and meaning.
 void list(const std::string& section, Format format);
 
-/// Summary of a run.
-void show(const std::string& run_path, Format format);
+/// Writes the summary of a run.
+void show(const std::string& run_path, Format format, const std::string& path = "-",
+          Existing existing = Existing::refuse);
 
 /// Writes a run as "csv", "text" (the published format), "state" (its JSON layout), "xyz" or "vtp" (all frames), or
 /// "packing" (polygons as JSON); `path` empty: beside the run.

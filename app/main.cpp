@@ -1,11 +1,14 @@
 /// The `supple` command: options, help and exit codes. What the commands do is in commands.hpp.
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
-#include <filesystem>
+#include <iostream>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "commands.hpp"
 #include "supple/core/error.hpp"
@@ -52,7 +55,7 @@ void add_run(CLI::App& c, Options& o) {
 }
 void add_output(CLI::App& c, Options& o, const std::string& help) {
   c.add_option("-o,--output", o.output, help)->type_name("FILE");
-  c.add_flag("--force", o.force, "Overwrite what exists");
+  c.add_flag("--force", o.force, "Replace files that exist; no links, pipes, devices, nor what the command reads");
 }
 void add_json(CLI::App& c, Options& o) { c.add_flag("--json", o.json, "Print JSON, for scripts"); }
 
@@ -92,7 +95,8 @@ void add_run_commands(CLI::App& app, Options& o) {
       app.add_subcommand("show", "Print the summary of a run: its results with units");
   add_run(*show, o);
   add_json(*show, o);
-  show->callback([&] { command::show(o.run, o.format()); });
+  add_output(*show, o, "File to write; - for the screen (default)");
+  show->callback([&] { command::show(o.run, o.format(), o.output.empty() ? "-" : o.output, o.existing()); });
 
   CLI::App* exporting = app.add_subcommand("export", "Write a run in another format");
   add_run(*exporting, o);
@@ -102,7 +106,7 @@ void add_run_commands(CLI::App& app, Options& o) {
                    "deformable particles; xyz, vtp: all frames for OVITO, ParaView")
       ->check(CLI::IsMember({"csv", "text", "state", "packing", "xyz", "vtp"}))
       ->capture_default_str();
-  add_output(*exporting, o, "File to write (default: the name of the run with .csv, .txt, _state.json, ...)");
+  add_output(*exporting, o, "File to write; - for standard output (default: the name of the run with .csv, .txt, _state.json, ...)");
   exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing()); });
 
   CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: particles and their contacts");
@@ -114,18 +118,17 @@ void add_run_commands(CLI::App& app, Options& o) {
                        "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
                        "id, those that touch differ)")
       ->type_name("NAME");
-  add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_cell.png)");
+  add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");
   snapshot->callback([&] { command::snapshot(o.run, o.frame, o.color, o.output, o.existing()); });
 
   CLI::App* plot = app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");
   add_run(*plot, o);
-  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps (default: RUN_stress.png, RUN_pressure.png, ...)");
+  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_stress.png, RUN_pressure.png, "
+              "...)");
   plot->callback([&] { command::plot(o.run, o.output, o.existing()); });
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int obey(int argc, char** argv) {
   Options options;
   CLI::App app{about, "supple"};
   app.footer(exit_codes);
@@ -148,11 +151,27 @@ int main(int argc, char** argv) {
     std::fputs("supple: not enough memory for this (the case or file asks for more than there is); make it smaller\n",
                stderr);
     return static_cast<int>(supple::ErrorKind::input);
-  } catch (const std::filesystem::filesystem_error& e) {
+  } catch (const std::system_error& e) {  // of a file, or of what is printed
     std::fprintf(stderr, "supple: %s\n", e.what());
     return static_cast<int>(supple::ErrorKind::file);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "supple: %s (unexpected; please report it)\n", e.what());
     return static_cast<int>(supple::ErrorKind::numerics);
   }
+  return 0;
+}
+
+/// Whether what was printed is out: a full disk may lie behind `supple show RUN > FILE`.
+bool printed() {
+  std::cout.flush();
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int code = obey(argc, argv);
+  if (code != 0 || printed()) return code;
+  std::fprintf(stderr, "supple: cannot write standard output: %s\n", std::strerror(errno));
+  return static_cast<int>(supple::ErrorKind::file);
 }

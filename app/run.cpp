@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <tuple>
 
 #include "beside.hpp"
 #include "commands.hpp"
@@ -15,6 +16,7 @@
 #include "supple/io/file_recorder.hpp"
 #include "supple/io/progress.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/run_layout.hpp"
 #include "supple/io/run_pictures.hpp"
 #include "supple/io/state_file.hpp"
 
@@ -71,28 +73,48 @@ bool draws_plot(const Case& c) {
 }
 
 /// Everything that the run will write must be writable before anything is computed.
-void check_outputs(const Case& c, const std::string& run, Existing existing) {
-  check_can_create(run, existing);
-  if (draws_plot(c)) check_can_create(plot_path(run, c), existing);
-  if (c.output.snapshot) check_can_create(snapshot_path(run), existing);
-  if (c.output.text) check_can_create(export_path(run, "text"), existing);
+void check_outputs(const Case& c, const std::string& case_path, const std::string& run, Existing existing) {
+  if (run == standard_output)
+    throw input_error("-o -", "a run is an HDF5 file, which is not written in one go", "give a name");
+  const auto check_file = [&](const std::string& path) {
+    for (const std::string& input : {case_path, c.initial.state, c.initial.packing}) check_not_input(path, input);
+    check_can_create(path, existing);
+  };
+  check_file(run);
+  for (const std::string& input : {c.initial.state, c.initial.packing}) check_not_input(partial_folder(run), input);
+  if (draws_plot(c)) check_file(plot_path(run, c));
+  if (c.output.snapshot) check_file(snapshot_path(run));
+  if (c.output.text) check_file(export_path(run, "text"));
   if (c.output.images > 0 && existing == Existing::refuse && fs::exists(images_folder(run)))
     throw file_error(images_folder(run) + " exists", "nothing is overwritten unless asked",
                      "remove it, choose another name with -o, or give --force");
 }
 
-void write_beside(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
-  if (draws_plot(c)) plot(run, "", existing);
-  if (c.output.snapshot) snapshot(run, std::nullopt, "", "", existing);
-  if (c.output.text) export_run(run, "text", "", existing);
-  if (c.output.images == 0) return;
-  fs::create_directories(images_folder(run));
+/// A run that is complete stays so where it has too little for a picture.
+template <class Draw>
+void draw_or_warn(const std::string& what, Draw&& draw) {
+  try {
+    draw();
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::file) throw;
+    fmt::print(stderr, "warning: {} not drawn: {}\n", what, e.what());
+  }
+}
+
+void draw_images_of(const Case& c, const std::string& run, CommandRecorder& recorder) {
   const auto progress = [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); };
-  if (is_deformable(c))
-    draw_body_images(images_folder(run), c.output.image_format, RunFile(run), c.output.images, "", progress);
-  else
-    draw_run_images(images_folder(run), c.output.image_format, RunFile(run), c.output.images, {}, progress);
+  const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
+  fs::create_directories(images_folder(run));
+  if (is_deformable(c)) draw_body_images(images_folder(run), format, RunFile(run), count, "", progress);
+  else draw_run_images(images_folder(run), format, RunFile(run), count, {}, progress);
   recorder.end_progress();
+}
+
+void write_beside(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
+  if (draws_plot(c)) draw_or_warn(plot_path(run, c), [&] { plot(run, "", existing); });
+  if (c.output.snapshot) draw_or_warn(snapshot_path(run), [&] { snapshot(run, std::nullopt, "", "", existing); });
+  if (c.output.text) export_run(run, "text", "", existing);
+  if (c.output.images > 0) draw_or_warn(images_folder(run), [&] { draw_images_of(c, run, recorder); });
 }
 
 }  // namespace
@@ -101,7 +123,7 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   const auto [c, initial] = load_case(choice);
   derive_case(c, initial);  // its input errors come before any file
   const std::string file = run_path(c, choice.path, path);
-  check_outputs(c, file, existing);
+  check_outputs(c, choice.path, file, existing);
   for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);
 
   CommandRecorder recorder(file, c, existing);
@@ -115,7 +137,7 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   } catch (const Error& e) {
     recorder.end_progress();
     recorder.finish(e.kind() == ErrorKind::interrupted ? "interrupted" : std::string("failed: ") + e.what());
-    if (fs::exists(file)) throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
+    if (recorder.began()) throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
     throw;
   }
   write_beside(c, file, existing, recorder);

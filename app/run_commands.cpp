@@ -15,6 +15,7 @@
 #include "supple/io/packing_file.hpp"
 #include "supple/io/published_text.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/run_layout.hpp"
 #include "supple/io/run_pictures.hpp"
 #include "supple/io/state_file.hpp"
 #include "supple/io/trajectory.hpp"
@@ -68,10 +69,19 @@ std::string export_path(const std::string& run, const std::string& to) {
   return beside(run, endings.at(to));
 }
 
+void check_output_of(const std::string& run_path, const std::string& file, Existing existing) {
+  check_not_input(file, run_path);
+  // nor may it be a segment of a run that goes on
+  check_not_input(std::filesystem::absolute(file).parent_path().string(), partial_folder(run_path));
+  check_can_create(file, existing);
+}
+
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing) {
   const std::string file = path.empty() ? export_path(run_path, to) : path;
-  check_can_create(file, existing);
+  check_output_of(run_path, file, existing);
+  if (to == "vtp" && file == standard_output)
+    throw input_error("--to vtp -o -", "frames for ParaView are a file and a folder", "give a name");
   if (to == "text" || to == "state") check_discs(run_path, to == "text" ? "the published text" : "the JSON of states");
   if (to == "csv") export_csv(RunFile(run_path), file, existing);
   else if (to == "xyz") export_xyz(RunFile(run_path), file, existing);
@@ -84,7 +94,7 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
 void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color, const std::string& path,
               Existing existing) {
   const std::string file = path.empty() ? snapshot_path(run_path) : path;
-  check_can_create(file, existing);
+  check_output_of(run_path, file, existing);
   const RunFile run(run_path);
   const std::int64_t count = run.frames();
   if (count == 0) throw input_error(run_path + " holds no frames", "it stopped before its first step");
@@ -102,7 +112,7 @@ void snapshot(const std::string& run_path, std::optional<int> frame, const std::
 void plot(const std::string& run_path, const std::string& path, Existing existing) {
   const RunFile run(run_path);
   const std::string file = path.empty() ? plot_path(run_path, run.resolved_case()) : path;
-  check_can_create(file, existing);
+  check_output_of(run_path, file, existing);
   if (is_of_bodies(run)) draw_body_plot(file, run);
   else draw_run_plot(file, run);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "beside.hpp"
 #include "commands.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/io/uncertainty.hpp"
@@ -68,7 +69,7 @@ void add_sizes(Json& j, const RunFile& run, const RunInfo& info) {
   j["vertices"] = count.vertices;
 }
 
-void show_json(const RunFile& run) {
+std::string json_summary(const RunFile& run) {
   const RunInfo info = run.info();
   Json j{{"run", run.path()},       {"status", run.status()}, {"experiment", run.experiment()},
          {"physics", run.physics()}, {"seed", run.seed()},     {"version", run.version()}};
@@ -76,7 +77,7 @@ void show_json(const RunFile& run) {
   j["frames"] = run.frames();
   for (const std::string group : {"results", "constants"}) j[group] = values_json(run.values(group));
   j["warnings"] = run.warnings();
-  fmt::print("{}\n", j.dump(2));
+  return j.dump(2) + "\n";
 }
 
 constexpr std::string_view storage = "storage_modulus_";
@@ -90,22 +91,22 @@ std::vector<std::string> estimators(const std::vector<RunValue>& results) {
 }
 
 /// G' and G'' side by side, a line for each estimator.
-void show_moduli(const std::vector<RunValue>& results) {
-  const auto text = [&](const std::string& name) {
+void add_moduli(std::string& text, const std::vector<RunValue>& results) {
+  const auto of = [&](const std::string& name) {
     const auto at =
         std::find_if(results.begin(), results.end(), [&](const RunValue& v) { return v.name.name == name; });
     return at == results.end() ? std::string("-") : with_error(*at);
   };
   const std::vector<std::string> names = estimators(results);
   if (names.empty()) return;
-  fmt::print("\n  {:<20} {:<20} {:<20} {}\n", "stress", "G'", "G''", "third harmonic");
+  text += fmt::format("\n  {:<20} {:<20} {:<20} {}\n", "stress", "G'", "G''", "third harmonic");
   for (const std::string& name : names)
-    fmt::print("  {:<20} {:<20} {:<20} {}\n", name, text(std::string(storage) + name),
-               text("loss_modulus_" + name), text("third_harmonic_" + name));
+    text += fmt::format("  {:<20} {:<20} {:<20} {}\n", name, of(std::string(storage) + name),
+                        of("loss_modulus_" + name), of("third_harmonic_" + name));
 }
 
 /// Numbers that do not belong to one estimator.
-void show_values(const std::vector<RunValue>& values) {
+void add_values(std::string& text, const std::vector<RunValue>& values) {
   const std::vector<std::string> names = estimators(values);
   const auto belongs = [&](const std::string& value) {
     return std::any_of(names.begin(), names.end(),
@@ -116,25 +117,28 @@ void show_values(const std::vector<RunValue>& values) {
     name = std::max(name, v.name.name.size());
     value = std::max(value, with_error(v).size());
   }
-  fmt::print("\n");
+  text += "\n";
   for (const RunValue& v : values)
     if (!belongs(v.name.name))
-      fmt::print("  {:<{}} {:<{}} {}\n", v.name.name, name, with_error(v), value, v.name.meaning);
+      text += fmt::format("  {:<{}} {:<{}} {}\n", v.name.name, name, with_error(v), value, v.name.meaning);
 }
 
-void show_discs(const RunFile& run) {
+std::string summary_of_discs(const RunFile& run) {
+  std::string text;
   const RunInfo info = run.info();
   const Vec2 cell = info.units.length * 1e6 * info.box.length;
-  fmt::print("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
-  fmt::print("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}\n", info.radius.size(),
-             particle_count(info), cell[0], cell[1], run.seed(), run.version());
+  text += fmt::format("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
+  text += fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}\n", info.radius.size(),
+                      particle_count(info), cell[0], cell[1], run.seed(), run.version());
   const std::vector<RunValue> results = run.values("results");
-  show_moduli(results);
-  show_values(results.empty() ? run.values("constants") : results);
+  add_moduli(text, results);
+  add_values(text, results.empty() ? run.values("constants") : results);
+  return text;
 }
 
 /// The cell at the last frame: it is what packings are made to change.
-void show_bodies(const RunFile& run) {
+std::string summary_of_bodies(const RunFile& run) {
+  std::string text;
   const RunInfo info = run.info();
   const BodyCounts count = count_bodies(info);
   const Vec2 at_end = run.frames() > 0 ? run.frame(run.frames() - 1).length : info.box.length;
@@ -143,20 +147,27 @@ void show_bodies(const RunFile& run) {
   if (!family.empty()) what += " (" + family + ")";
   if (count.polygons > 0)
     what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
-  fmt::print("{}: {}, {}\n", run.path(), run.experiment(), run.status());
-  fmt::print("{}, cell {:.4g} x {:.4g}, seed {}, supple {}\n", what, at_end[0], at_end[1], run.seed(), run.version());
+  text += fmt::format("{}: {}, {}\n", run.path(), run.experiment(), run.status());
+  text += fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}\n", what, at_end[0], at_end[1], run.seed(),
+                      run.version());
   const std::vector<RunValue> results = run.values("results");
-  show_values(results.empty() ? run.values("constants") : results);
+  add_values(text, results.empty() ? run.values("constants") : results);
+  return text;
 }
 
 }  // namespace
 
-void show(const std::string& run_path, Format format) {
+void show(const std::string& run_path, Format format, const std::string& path, Existing existing) {
+  check_output_of(run_path, path, existing);
   const RunFile run(run_path);
-  if (format == Format::json) return show_json(run);
-  if (is_deformable(run.resolved_case())) show_bodies(run);
-  else show_discs(run);
-  for (const std::string& warning : run.warnings()) fmt::print("\nwarning: {}\n", warning);
+  std::string text = format == Format::json              ? json_summary(run)
+                     : is_deformable(run.resolved_case()) ? summary_of_bodies(run)
+                                                          : summary_of_discs(run);
+  if (format == Format::text)
+    for (const std::string& warning : run.warnings()) text += fmt::format("\nwarning: {}\n", warning);
+  NewFile file(path, existing);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace supple::command

@@ -82,6 +82,7 @@ std::string encode_jpeg(cairo_surface_t* image) {
 }  // namespace
 
 PictureFormat picture_format(const std::string& path) {
+  if (path == standard_output) return PictureFormat::png;
   const std::size_t dot = path.find_last_of("./");
   std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -14,7 +14,8 @@ namespace supple {
 
 enum class PictureFormat { png, jpg, svg, pdf, ps };
 
-/// The format that the ending of `path` names. Throws an input error that lists the valid endings.
+/// The format that the ending of `path` names; standard output gets a png. Throws an input error that lists the
+/// valid endings.
 PictureFormat picture_format(const std::string& path);
 
 /// A place on the page in points (1/72 inch), from the upper left corner, y downward.

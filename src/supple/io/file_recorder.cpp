@@ -56,18 +56,35 @@ void merge_rows(h5::Group& to, const h5::Group& from, const std::string& name) {
   }
 }
 
+/// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not ours to remove.
+void remove_partial_run(const std::string& folder) {
+  if (!fs::exists(fs::symlink_status(folder))) return;
+  std::error_code error;
+  const auto refuse = [&](const std::string& why) {
+    return file_error("cannot replace " + folder, why, "remove it or choose another name");
+  };
+  if (!fs::is_directory(fs::symlink_status(folder))) throw refuse("it is no folder");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name.starts_with("segment-") || name.starts_with("merged");
+    if (!ours || !entry.is_regular_file()) throw refuse("it holds " + name + ", which no run wrote");
+  }
+  fs::remove_all(folder, error);
+  if (error) throw refuse(error.message());
+}
+
 }  // namespace
 
 FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing, FlushSpec flush)
     : path_(std::move(path)), folder_(partial_folder(path_)), case_(std::move(resolved)),
       case_text_(std::move(case_text)), existing_(existing), flush_(flush), started_(Clock::now()), flushed_(started_) {
   check_can_create(path_, existing_);
+  if (existing_ == Existing::replace) remove_partial_run(folder_);
   std::error_code error;
-  if (existing_ == Existing::replace) fs::remove_all(folder_, error);
   if (!fs::create_directory(folder_, error)) {
     if (error) throw file_error("cannot create " + folder_, error.message());
     throw file_error(folder_ + " exists", "another run writes there, or was killed",
-                     "choose another name, remove it, or ask to overwrite");
+                     "choose another name, remove it, or overwrite it with --force");
   }
 }
 

@@ -47,6 +47,8 @@ class FileRecorder : public Recorder {
   /// Merges everything into the run file. status: "complete", "interrupted" or "failed: why". A run that never began
   /// leaves nothing.
   void finish(const std::string& status);
+  /// Whether the run got as far as to leave a file of its own.
+  bool began() const { return info_.has_value(); }
   const std::string& path() const { return path_; }
 
  private:

@@ -30,12 +30,29 @@ void sync(const std::string& path, int flags) {
 
 Error exists(const std::string& path) {
   return file_error(path + " exists", "nothing is overwritten unless asked",
-                    "choose another name, remove it, or ask to overwrite");
+                    "choose another name, remove it, or overwrite it with --force");
+}
+
+/// Only a regular file may give way to a new one: what reads from a pipe, a device or a link would lose it.
+void check_can_replace(const std::string& path) {
+  const fs::file_type type = fs::symlink_status(path).type();
+  if (type == fs::file_type::not_found || type == fs::file_type::regular) return;
+  const char* what = type == fs::file_type::symlink ? "a link" : type == fs::file_type::fifo ? "a pipe" : "a device";
+  throw file_error("cannot replace " + path, std::string("it is ") + what + ", not a regular file",
+                   "choose another name or remove it; the name - is standard output where a command can write there");
+}
+
+/// Links resolved where there are any; of what is not there yet, the name in full.
+fs::path place_of(const std::string& path) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? fs::path(path) : place;
 }
 
 }  // namespace
 
 void check_can_create(const std::string& path, Existing existing) {
+  if (path == standard_output) return;
   const std::string folder = folder_of(path);
   if (path_kind(folder) != PathKind::folder)
     throw file_error("cannot create " + path, "there is no folder " + folder, "make the folder first");
@@ -43,6 +60,14 @@ void check_can_create(const std::string& path, Existing existing) {
     throw file_error("cannot create " + path, "folder " + folder + " is not writable");
   if (path_kind(path) == PathKind::folder) throw file_error("cannot create " + path, "it is a folder");
   if (existing == Existing::refuse && fs::exists(fs::symlink_status(path))) throw exists(path);
+  check_can_replace(path);
+}
+
+void check_not_input(const std::string& path, const std::string& input) {
+  if (input.empty() || path == standard_output) return;
+  std::error_code none;  // where one of them is not there
+  if (!fs::equivalent(path, input, none) && place_of(path) != place_of(input)) return;
+  throw file_error("cannot write " + path, "it is the file that is read", "choose another name with -o");
 }
 
 void publish_file(const std::string& temporary, const std::string& path, Existing existing) {
@@ -58,26 +83,34 @@ void publish_file(const std::string& temporary, const std::string& path, Existin
   sync(folder_of(path), O_RDONLY | O_DIRECTORY);
 }
 
-NewFile::NewFile(std::string path, Existing existing)
-    : path_(std::move(path)), temporary_(path_ + "." + std::to_string(getpid()) + ".tmp"), existing_(existing) {
+NewFile::NewFile(std::string path, Existing existing) : path_(std::move(path)), existing_(existing) {
+  if (path_ == standard_output) {
+    file_ = stdout;
+    return;
+  }
+  temporary_ = path_ + "." + std::to_string(getpid()) + ".tmp";
   check_can_create(path_, existing_);
   file_ = std::fopen(temporary_.c_str(), "we");
-  if (!file_) throw file_error("cannot create " + path_, std::strerror(errno));
+  if (!file_) fail();
 }
 
 NewFile::~NewFile() {
-  if (!file_) return;
+  if (!file_ || temporary_.empty()) return;
   std::fclose(file_);
   unlink(temporary_.c_str());
 }
 
+void NewFile::fail() const {
+  throw file_error("cannot write " + (temporary_.empty() ? "standard output" : path_), std::strerror(errno));
+}
+
 void NewFile::write(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
-    throw file_error("cannot write " + path_, std::strerror(errno));
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail();
 }
 
 void NewFile::commit() {
-  if (std::fflush(file_) != 0) throw file_error("cannot write " + path_, std::strerror(errno));
+  if (std::fflush(file_) != 0) fail();
+  if (temporary_.empty()) return;
   publish_file(temporary_, path_, existing_);
   std::fclose(file_);
   file_ = nullptr;

@@ -9,14 +9,22 @@ namespace supple {
 /// What to do with a file of the same name.
 enum class Existing { refuse, replace };
 
-/// Throws a file error where `path` exists and may not be replaced, or its folder is missing or not writable.
+/// The name that stands for standard output.
+inline constexpr std::string_view standard_output = "-";
+
+/// Throws a file error where `path` exists and may not be replaced, or its folder is missing or not writable. What is
+/// no regular file (link, pipe, device, folder) is never replaced.
 void check_can_create(const std::string& path, Existing existing);
+
+/// Throws a file error where `path` is the file `input`, by whatever name.
+void check_not_input(const std::string& path, const std::string& input);
 
 /// Makes the finished file `temporary` durable and gives it its name, in one step. Throws a file error where
 /// `path` exists and may not be replaced.
 void publish_file(const std::string& temporary, const std::string& path, Existing existing);
 
-/// A file being written beside its place; commit() moves it there. Without commit nothing is left.
+/// A file being written beside its place; commit() moves it there. Without commit nothing is left. Under the name - it
+/// is standard output, which gets the bytes as they come.
 class NewFile {
  public:
   explicit NewFile(std::string path, Existing existing = Existing::refuse);
@@ -28,7 +36,9 @@ class NewFile {
   void commit();
 
  private:
-  std::string path_, temporary_;
+  [[noreturn]] void fail() const;
+
+  std::string path_, temporary_;  ///< `temporary_` is empty for standard output
   Existing existing_;
   std::FILE* file_;
 };
