@@ -13,6 +13,7 @@
 #include "bench/machine.hpp"
 #include "bench/packings.hpp"
 #include "bench/shells.hpp"
+#include "bench/threads.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/observe/stress.hpp"
 
@@ -175,7 +176,7 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | peers | run | shells | jamming]...: these tables, or all.
+/// supple_bench [sizes | peers | run | shells | jamming | threads]...: these tables, or all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -195,4 +196,5 @@ int main(int argc, char** argv) {
     print_shell_sizes();
   }
   if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
+  if (wants("threads")) print_threads();
 }

@@ -212,7 +212,7 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
   const double share = law.lever_arm == LeverArm::distance ? 1 : 0;
   const auto contact = [=](const PairMotion& m, double u) { return respond_contact(repulsion, law, slip, m, u, dt); };
   const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u, dt); };
-  const bool serial = thread_count() == 1 || chunk_count(system.state.size()) < 2 * thread_count();
+  const bool serial = runs_in_place(system.state.size());
 
   const ChunkSum total = sum_chunks<ChunkSum>(system.state.size(), [&](std::int64_t begin, std::int64_t end) {
     ChunkSum sum;

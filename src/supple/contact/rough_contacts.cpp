@@ -48,7 +48,7 @@ template <bool energies>
 RoughContacts::Sum RoughContacts::add_all(const System<2>& system, Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
   const int sites = system.state.size();
-  const bool serial = thread_count() == 1 || chunk_count(sites) < 2 * thread_count();
+  const bool serial = runs_in_place(sites);
   if (!serial) push_.assign(static_cast<std::size_t>(pairs.size()), Vec2{});
   const Sum total = sum_chunks<Sum>(sites, [&](std::int64_t begin, std::int64_t end) {
     Sum sum;

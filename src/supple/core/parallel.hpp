@@ -1,8 +1,6 @@
 /// Parallel loops over fixed chunks. Chunks do not depend on the number of threads, and sums add chunk after
 /// chunk, so every result is the same, bit for bit, for any number of threads.
 #pragma once
-#include <omp.h>
-
 #include <cstdint>
 #include <vector>
 
@@ -17,20 +15,29 @@ inline int& thread_count() {
 inline constexpr std::int64_t chunk_size = 256;
 inline std::int64_t chunk_count(std::int64_t n) { return (n + chunk_size - 1) / chunk_size; }
 
+/// Whether a loop over n runs its chunks in order in the calling thread, as there is too little to share.
+inline bool runs_in_place(std::int64_t n) { return thread_count() == 1 || chunk_count(n) < 2 * thread_count(); }
+
+/// Calls work(context, chunk) for each of [0, chunks), shared with up to `threads` - 1 helpers that sleep between
+/// loops (docs/decisions/0013). The caller takes every chunk that no helper has begun: it never waits for a thread
+/// that the system has not let run. Of exceptions that of the first chunk is thrown on, after all chunks. A call
+/// from within a chunk, or while another thread is in here, runs in place.
+void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context);
+
 /// body(chunk, begin, end) for each chunk of [0, n).
 template <class Body>
 void for_chunks(std::int64_t n, Body&& body) {
   const std::int64_t chunks = chunk_count(n);
-  const auto run = [&](std::int64_t c) {
+  auto run = [&](std::int64_t c) {
     const std::int64_t end = (c + 1) * chunk_size;
     body(c, c * chunk_size, end < n ? end : n);
   };
-  if (thread_count() == 1 || chunks < 2 * thread_count()) {
+  if (runs_in_place(n)) {
     for (std::int64_t c = 0; c < chunks; ++c) run(c);
     return;
   }
-#pragma omp parallel for schedule(static) num_threads(thread_count())
-  for (std::int64_t c = 0; c < chunks; ++c) run(c);
+  using Run = decltype(run);
+  run_chunks(chunks, thread_count(), [](void* r, std::int64_t c) { (*static_cast<Run*>(r))(c); }, &run);
 }
 
 /// Sum over chunks of body(begin, end), added in the order of the chunks. Sum must have +=.

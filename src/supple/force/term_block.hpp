@@ -67,7 +67,7 @@ class StencilBlock final : public TermBlock<Dim> {
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const override {
     const State<Dim>& state = system.state;
     check_sites(state);
-    const bool serial = thread_count() == 1 || chunk_count(size()) < 2 * thread_count();
+    const bool serial = runs_in_place(size());
     // Threads may not add to the same site: they fill their own slots, and each site then adds its slots in
     // order.
     std::vector<Vec<Dim>> slots(serial ? 0 : stencils_.size() * Term::arity);

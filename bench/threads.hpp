@@ -1,0 +1,9 @@
+/// What a second thread does, on a quiet machine and on one whose cores are all taken.
+#pragma once
+
+namespace supple::bench {
+
+/// Wall time of steps of dense discs with one and two threads, in turn.
+void print_threads();
+
+}  // namespace supple::bench
