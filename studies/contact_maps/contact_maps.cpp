@@ -158,20 +158,27 @@ Jumps largest_jumps(Map& map, Panel panel) {
 
 constexpr int cells = 180;
 
+/// What a panel shows: a square of the plane.
+struct Window {
+  Vec2 middle;
+  double half_width;
+};
+
 /// Energies on a grid, row by row from the top; not a number inside.
-std::vector<double> energies(Map& map, Panel panel) {
+std::vector<double> energies(Map& map, Panel panel, const Window& window) {
   std::vector<double> values;
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {
-      const auto offset = [](int k) { return half_width * (2 * (k + 0.5) / cells - 1); };
-      const Vec2 p = middle + Vec2{offset(column), -offset(row)};
+      const auto offset = [&](int k) { return window.half_width * (2 * (k + 0.5) / cells - 1); };
+      const Vec2 p = window.middle + Vec2{offset(column), -offset(row)};
       values.push_back(map.inside(p) ? NAN : std::abs(map.at(p, panel).energy));
     }
   return values;
 }
 
 /// Lines of equal energy, cell by cell [marching squares]: where the gradient is discontinuous they have a corner.
-void draw_contours(Canvas& canvas, const std::vector<double>& values, double highest, Point corner, double cell) {
+void draw_contours(Canvas& canvas, const std::vector<double>& values, double highest, Point corner,
+                   double cell) {
   constexpr int lines = 10;
   const auto value = [&](int row, int column) { return values[static_cast<std::size_t>(row) * cells + column]; };
   for (int line = 1; line < lines; ++line) {
@@ -186,7 +193,8 @@ void draw_contours(Canvas& canvas, const std::vector<double>& values, double hig
           const double va = value(a[0], a[1]), vb = value(b[0], b[1]);
           if (!std::isfinite(va) || !std::isfinite(vb) || (va < level) == (vb < level)) continue;
           const double share = (level - va) / (vb - va);
-          cuts.push_back(corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]), a[0] + 0.5 + share * (b[0] - a[0])});
+          cuts.push_back(corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]),
+                                               a[0] + 0.5 + share * (b[0] - a[0])});
         }
         if (cuts.size() == 2) canvas.line(cuts[0], cuts[1], {.width = 0.5});
       }
@@ -194,7 +202,7 @@ void draw_contours(Canvas& canvas, const std::vector<double>& values, double hig
 }
 
 void draw_panel(Canvas& canvas, const Map& map, const std::vector<double>& values, const ColorScale& scale,
-                Point corner, double size, const std::string& title) {
+                const Window& window, Point corner, double size, const std::string& title) {
   const double cell = size / cells;
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {
@@ -204,43 +212,87 @@ void draw_panel(Canvas& canvas, const Map& map, const std::vector<double>& value
       canvas.rectangle(low, low + Point{1.05 * cell, 1.05 * cell}, {.fill = scale.color(value)});
     }
   const auto place = [&](const Vec2& p) {
-    return corner + Point{0.5 * size * (1 + (p[0] - middle[0]) / half_width),
-                          0.5 * size * (1 - (p[1] - middle[1]) / half_width)};
+    return corner + Point{0.5 * size * (1 + (p[0] - window.middle[0]) / window.half_width),
+                          0.5 * size * (1 - (p[1] - window.middle[1]) / window.half_width)};
   };
   draw_contours(canvas, values, scale.high, corner, cell);
-  std::vector<Point> outline;
-  for (const Vec2& p : map.ring()) outline.push_back(place(p));
-  canvas.polygon(outline, {.fill = gray, .pen = Pen{}});
+  const std::array<Point, 4> square{corner, corner + Point{size, 0}, corner + Point{size, size},
+                                    corner + Point{0, size}};
+  canvas.clipped(square, ClipTo::inside, [&] {
+    std::vector<Point> outline;
+    for (const Vec2& p : map.ring()) outline.push_back(place(p));
+    canvas.polygon(outline, {.fill = gray, .pen = Pen{}});
+  });
   canvas.rectangle(corner, corner + Point{size, size}, {.pen = Pen{}});
   canvas.text(corner + Point{0, -4}, title);
-  for (const double tick : {-4.0, -2.0, 0.0, 2.0, 4.0}) {
-    const double along = 0.5 * size * (1 + tick * sigma / half_width);
-    canvas.line(corner + Point{along, size}, corner + Point{along, size + 3}, {});
-    canvas.text(corner + Point{along, size + 5}, tick_label(tick, 1),
-                {.size = 7, .across = Across::centre, .down = Down::top});
-    canvas.line(corner + Point{0, size - along}, corner + Point{-3, size - along}, {});
-    canvas.text(corner + Point{-5, size - along}, tick_label(tick, 1),
-                {.size = 7, .across = Across::right, .down = Down::middle});
+  for (int axis : {0, 1}) {
+    const double from = (window.middle[axis] - window.half_width - middle[axis]) / sigma;
+    const double to = from + 2 * window.half_width / sigma;
+    const double step = to - from > 4 ? 2 : 0.5;
+    for (double tick = step * std::ceil(from / step); tick <= to; tick += step) {
+      const double along = size * (tick - from) / (to - from);
+      const std::string label = tick_label(tick, step < 1 ? 0.1 : 1);
+      if (axis == 0) {
+        canvas.line(corner + Point{along, size}, corner + Point{along, size + 3}, {});
+        canvas.text(corner + Point{along, size + 5}, label,
+                    {.size = 7, .across = Across::centre, .down = Down::top});
+      } else {
+        canvas.line(corner + Point{0, size - along}, corner + Point{-3, size - along}, {});
+        canvas.text(corner + Point{-5, size - along}, label,
+                    {.size = 7, .across = Across::right, .down = Down::middle});
+      }
+    }
   }
   canvas.text(corner + Point{0.5 * size, size + 22}, "x/σ", {.across = Across::centre});
-  canvas.text(corner + Point{-18, 0.5 * size}, "y/σ", {.across = Across::centre, .turn = Turn::left});
+  canvas.text(corner + Point{-20, 0.5 * size}, "y/σ", {.across = Across::centre, .turn = Turn::left});
 }
 
+/// The corner with the sharpest concave angle.
+Vec2 concave_corner(const std::vector<Vec2>& ring) {
+  const std::size_t n = ring.size();
+  std::size_t sharpest = 0;
+  double least = 1;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 in = ring[k] - ring[(k + n - 1) % n], out = ring[(k + 1) % n] - ring[k];
+    const double turn = cross(in, out) / (norm(in) * norm(out));
+    if (turn < least) least = turn, sharpest = k;
+  }
+  return ring[sharpest];
+}
+
+/// One potential in one part of the plane.
+struct Drawn {
+  Panel panel;
+  Window window;
+  std::string title;
+};
+
 void draw(Map& map, const std::string& path) {
-  const std::array<std::string, panels> titles{
-      "(a) rough", "(b) minimum distance",    "(c) smooth = (d) + (e) + (f)",
-      "(d) edges", "(e) concave corners: −U", "(f) convex corners"};
+  const Window all{middle, half_width};
+  const Vec2 corner = concave_corner(map.ring());
+  const Window near{corner + sigma / norm(corner - middle) * 0.5 * (corner - middle), 0.75 * sigma};
+  const std::vector<Drawn> maps{{rough, all, "(a) rough"},
+                                {minimum_distance, all, "(b) minimum distance"},
+                                {smooth, all, "(c) smooth = (d) + (e) + (f)"},
+                                {edges, all, "(d) edges"},
+                                {concave, all, "(e) concave corners: −U"},
+                                {convex, all, "(f) convex corners"},
+                                {rough, near, "(a) at a concave corner"},
+                                {minimum_distance, near, "(b) there: each line has a corner"},
+                                {smooth, near, "(c) there: none has"}};
   std::vector<std::vector<double>> values;
   ColorScale scale{0, 0};
-  for (int k = 0; k < panels; ++k) {
-    values.push_back(energies(map, static_cast<Panel>(k)));
+  for (const Drawn& m : maps) {
+    values.push_back(energies(map, m.panel, m.window));
     scale.high = std::max(scale.high, scale_over(values.back()).high);
   }
   const double size = 150, across = 185, down = 195;
-  Canvas canvas(path, 30 + 3 * across + 45, 2 * down + 15, 200);
-  for (int k = 0; k < panels; ++k)
-    draw_panel(canvas, map, values[k], scale, {30 + (k % 3) * across, 20 + (k / 3) * down}, size, titles[k]);
-  draw_color_bar(canvas, {30 + 3 * across - 18, 45}, 300, scale, "U/(kσ²)", "");
+  Canvas canvas(path, 30 + 3 * across + 45, 3 * down + 15, 200);
+  for (std::size_t k = 0; k < maps.size(); ++k)
+    draw_panel(canvas, map, values[k], scale, maps[k].window,
+               {30 + static_cast<double>(k % 3) * across, 20 + static_cast<double>(k / 3) * down}, size,
+               maps[k].title);
+  draw_color_bar(canvas, {30 + 3 * across - 18, 45}, 400, scale, "U/(kσ²)", "");
   canvas.finish();
 }
 
