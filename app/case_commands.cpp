@@ -6,11 +6,13 @@
 
 #include "beside.hpp"
 #include "commands.hpp"
+#include "supple/core/duration.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/adopt_state.hpp"
+#include "supple/experiment/cost.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/progress.hpp"
 #include "supple/io/packing_file.hpp"
@@ -48,11 +50,6 @@ std::set<std::string> first_keys(const Case& c) {
           "particles.cut_lines", "material.young_modulus",
           "material.friction",   "shear.amplitude"};
 }
-
-/// Wall time of a disc and step, for estimates before a run: the order of what scripts/bench measures.
-constexpr double seconds_per_disc_step = 150e-9;
-/// The same of a vertex in a minimisation, where forces are all there is to do.
-constexpr double seconds_per_site_evaluation = 41e-9;
 
 std::optional<double> find(const std::vector<Derived>& derived, const std::string& name) {
   for (const Derived& d : derived)
@@ -174,13 +171,16 @@ void init(const std::string& experiment, const std::string& physics, const std::
 
 void check(const CaseChoice& choice, Format format) {
   const auto [c, initial] = load_case(choice);
-  const std::vector<std::string> doubts = find_doubts(c);
+  std::vector<std::string> doubts = find_doubts(c);
   const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
   const auto evaluations = find(derived, "evaluations");
   const double estimate = (steps.value_or(0) * seconds_per_disc_step +
                            evaluations.value_or(0) * seconds_per_site_evaluation) *
                           site_count(c, initial, derived) / c.general.threads;
+  if (estimate > 30 * 86400.0)
+    doubts.push_back(fmt::format("the run would take about {}: lower the number of particles or steps",
+                                 describe_seconds(estimate)));
 
   if (format == Format::json) {
     Json j{{"case", choice.path}, {"experiment", c.general.experiment}, {"physics", c.general.physics}};

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
@@ -65,10 +66,10 @@ TEST(Curve, SweptAreaOfAClosedOutlineDoesNotDependOnTheOrigin) {
 TEST(Polygon, AreaAndInside) {
   const std::vector<Vec2> arrow = {{0, 0}, {4, 0}, {4, 4}, {3, 1}};
   EXPECT_DOUBLE_EQ(polygon_area(arrow), 4);
-  EXPECT_TRUE(encloses(arrow, {3.5, 1}));
-  EXPECT_FALSE(encloses(arrow, {2, 1}));  // in the notch
-  EXPECT_FALSE(encloses(arrow, {5, 1}));
-  EXPECT_FALSE(encloses(arrow, {-1, 0}));
+  EXPECT_TRUE(is_inside({3.5, 1}, arrow));
+  EXPECT_FALSE(is_inside({2, 1}, arrow));  // in the notch
+  EXPECT_FALSE(is_inside({5, 1}, arrow));
+  EXPECT_FALSE(is_inside({-1, 0}, arrow));
   EXPECT_DOUBLE_EQ(distance_to_segment({3, 4}, {0, 0}, {6, 0}), 4);
   EXPECT_DOUBLE_EQ(distance_to_segment({9, 4}, {0, 0}, {6, 0}), 5);
   EXPECT_DOUBLE_EQ(distance_to_segment({3, 4}, {0, 0}, {0, 0}), 5);

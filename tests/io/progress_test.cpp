@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "supple/core/duration.hpp"
+
 namespace supple {
 namespace {
 
@@ -58,6 +60,9 @@ TEST(Progress, TimesInWords) {
   EXPECT_EQ(describe_seconds(0.123), "0.12 s");
   EXPECT_EQ(describe_seconds(200), "3 min 20 s");
   EXPECT_EQ(describe_seconds(7500), "2 h 5 min");
+  EXPECT_EQ(describe_seconds(5 * 86400), "5 days");
+  EXPECT_EQ(describe_seconds(1e8), "3 years");
+  EXPECT_EQ(describe_seconds(1e300), "over 1000 years");
 }
 
 /// A search says where it is each time; in a log that is no new phase.

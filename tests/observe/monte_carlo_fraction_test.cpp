@@ -2,6 +2,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 #include "supple/observe/packing_fraction.hpp"
 #include "tests/support/shapes.hpp"
@@ -88,7 +89,7 @@ std::int64_t hits_one_by_one(const System<2>& system, Outline outline, std::int6
         for (double shift_y : {-1, 0, 1}) {
           Ring ring(system.state.position.begin() + first, system.state.position.begin() + first + n);
           for (Vec2& y : ring) y += Vec2{shift_x * system.box.length[0], shift_y * system.box.length[1]};
-          if (n > 2 && encloses(ring, x)) return true;
+          if (n > 2 && is_inside(x, ring)) return true;
           for (int k = 0; k < n; ++k) {
             const Vec2 end = outline == Outline::smooth ? ring[(k + 1) % n] : ring[k];
             if (distance_to_segment(x, ring[k], end) < system.state.radius[first]) return true;

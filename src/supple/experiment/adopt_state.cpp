@@ -7,6 +7,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/given_packing.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -62,6 +63,7 @@ void adopt_bodies(Case& c, const InitialState& initial) {
 
 Case adopt_state(Case c, const InitialState* initial) {
   if (!initial) return c;
+  require_sane(initial->system, "the state to start from");  // before anything is computed from its numbers
   const bool bodies = !initial->system.topology.begin.empty();
   const std::string& file = c.initial.packing.empty() ? c.initial.state : c.initial.packing;
   HeldKeys held = initial->keys;

@@ -21,31 +21,35 @@ std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max
 namespace {
 
 /// The packing with the velocities that the case asks for.
-Packing moving_packing(const Case& c, const InitialState* initial) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction);
+Packing moving_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, making);
   if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
     draw_velocities(packing.system, c.motion.kinetic_energy, c.general.seed);
   return packing;
 }
 
-}  // namespace
-
-std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
-  Packing packing = moving_packing(c, initial);
+std::vector<Derived> derived_motion(const Case& c, const Packing& packing, double time_step) {
   std::vector<Derived> all = derived_packing(packing);
-  all.push_back({{"time_step", "", "time step"}, body_time_step(c, packing, initial, conserving_step)});
+  all.push_back({{"time_step", "", "time step"}, time_step});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
   return all;
 }
 
+}  // namespace
+
+std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
+  Packing packing = moving_packing(c, initial, in_a_row);
+  return derived_motion(c, packing, body_time_step(c, packing, initial, conserving_step));
+}
+
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = moving_packing(c, initial);
+  Packing packing = moving_packing(c, initial, at_random(recorder));
   System<2>& s = packing.system;
   start_clock(s, c);
   const double dt = body_time_step(c, packing, initial, conserving_step);
   BodyDynamics dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
-  begin_packing(packing, derive_body_dynamics(c, initial), recorder);
+  begin_packing(packing, derived_motion(c, packing, dt), recorder);
   recorder.value(protocol_group, {"dt", "", "time step; a continuation takes it over"}, dt);
   recorder.declare("motion", motion_columns(packing));
   const std::int64_t steps = c.time.steps, per_row = interval(steps, rows),

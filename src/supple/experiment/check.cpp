@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "supple/core/duration.hpp"
 #include "supple/core/error.hpp"
+#include "supple/experiment/bodies_of_case.hpp"
+#include "supple/experiment/cost.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/model/discs.hpp"
 #include "supple/model/polygons.hpp"
@@ -68,8 +71,20 @@ void check_shear(const Case& c, Problems& problems) {
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
 }
 
+/// What would be known only after hours, or when memory is used up.
+void check_cost(const Case& c, Problems& problems) {
+  const BodySizes sizes(c.bodies);
+  if (sizes.sites() <= most_sites) return;
+  const double sites = static_cast<double>(sizes.sites());
+  add(problems, c, fmt::format("{} particles of {} vertices are {:.3g} vertices", sizes.bodies(), c.bodies.vertices, sites),
+      fmt::format("a run can have {:g}; these would need about {:.3g} GB of memory, and to jam them {}", 1.0 * most_sites,
+                  sites * bytes_per_site * 1e-9, describe_seconds(seconds_to_jam(sites))),
+      "lower bodies.N or bodies.vertices");
+}
+
 /// Deformable particles: what one key cannot know of another.
 void check_bodies(const Case& c, Problems& problems) {
+  if (c.initial.state.empty() && c.initial.packing.empty()) check_cost(c, problems);
   const Bodies& b = c.bodies;
   const bool polygons = b.family != "disc";
   const double least = least_shape_parameter(b.vertices);

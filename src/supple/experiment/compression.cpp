@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/observe/onset.hpp"
@@ -19,7 +20,8 @@ std::vector<double> pressure_list(const Case& c) {
   if (!(high > low))
     throw input_error(fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low),
                       "", "compression goes from the one to the other");
-  const int steps = std::max(1, static_cast<int>(std::lround(c.compression.per_decade * std::log10(high / low))));
+  const int steps = std::max(1, whole_number<int>(c.compression.per_decade * std::log10(high / low),
+                                                  "pressures of the list", "lower compression.per_decade", 1e5));
   std::vector<double> list;
   for (int k = 0; k <= steps; ++k) list.push_back(low * std::pow(high / low, static_cast<double>(k) / steps));
   return list;
@@ -101,7 +103,7 @@ void record_onset(const Course& course, const std::string& branch, const Packing
 }  // namespace
 
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial));
+  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial, in_a_row));
   all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
   return all;
 }
@@ -109,7 +111,7 @@ std::vector<Derived> derive_compression(const Case& c, const InitialState* initi
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   const std::vector<double> list = pressure_list(c);
   std::vector<double> ascent = list;
-  Packing packing = make_periodic_packing(c, initial);
+  Packing packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_compression(c, initial), recorder);
   std::vector<Column> columns = packing_columns(packing);
   columns.push_back({"branch", "", "1: compression, -1: decompression"});

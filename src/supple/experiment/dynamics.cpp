@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/core/expression.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
@@ -16,7 +17,8 @@ namespace {
 std::int64_t step_count(const Case& c, const InitialState* initial) {
   if (c.time.steps > 0 || c.is_given("time.steps")) return c.time.steps;
   if (initial)
-    if (const auto at = initial->protocol.find("steps"); at != initial->protocol.end()) return std::llround(at->second);
+    if (const auto at = initial->protocol.find("steps"); at != initial->protocol.end()) 
+      return whole_number(at->second, "steps of the state to start from", "give time.steps");
   throw input_error("[time] steps is missing", "dynamics needs the number of steps", "set time.steps");
 }
 

@@ -1,8 +1,11 @@
 #include "supple/experiment/experiments.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "supple/core/error.hpp"
 #include "supple/experiment/adopt_state.hpp"
-#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -33,21 +36,20 @@ const Experiment& named(const std::string& name) {
   throw input_error("no experiment '" + name + "'");
 }
 
-void require_sane(const InitialState* initial) {
-  if (initial) require_sane(initial->system, "the state to start from");
-}
-
 }  // namespace
 
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
-  require_sane(initial);
   const Case adopted = adopt_state(c, initial);
   check(adopted);
-  return named(adopted.general.experiment).derive(adopted, initial);
+  std::vector<Derived> all = named(adopted.general.experiment).derive(adopted, initial);
+  for (const Derived& d : all)
+    if (!std::isfinite(d.value))
+      throw input_error(fmt::format("{} of this case would be {}", d.name.name, d.value), d.name.meaning,
+                        "look for a wrong unit or number");
+  return all;
 }
 
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
-  require_sane(initial);
   const Case adopted = adopt_state(c, initial);
   check(adopted);
   named(adopted.general.experiment).run(adopted, initial, recorder);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/cost.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/experiment/packing_record.hpp"
@@ -18,7 +19,7 @@ JamSpec jam_spec(const Case& c) {
 }
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
-  const Packing packing = make_periodic_packing(c, initial);
+  const Packing packing = make_periodic_packing(c, initial, in_a_row);
   std::vector<Derived> all = derived_equilibria(packing);
   all.push_back({{"evaluations", "", "force evaluations, within a factor of about two"},
                  evaluations_to_jam(packing.system.state.size())});
@@ -26,7 +27,7 @@ std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) 
 }
 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_periodic_packing(c, initial);
+  Packing packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derived_equilibria(packing), recorder);
   recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
                                {"pressure", packing.pressure_symbol, "full virial pressure (9.26)"},

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/microgel.hpp"
@@ -38,7 +39,6 @@ double protocol_number(const Case& c, const InitialState* initial, const char* k
 
 /// A step shorter than stability needs, where the oscillation is fast: twice what a cycle must have to be demodulated.
 constexpr int least_steps_per_period = 2 * least_samples_of_cycle;
-constexpr double most_steps = 1e15;  // counted in 64 bits, and in doubles without a loss
 
 OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
   OscillatoryProtocol p;
@@ -52,12 +52,12 @@ OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initi
                       "G', G'', offset and drift of the stress cannot be told apart", "set it to 1 or more");
   const double per_period =
       std::max(std::ceil(1 / (k.frequency * k.time_step) * (1 - 1e-12)), 1.0 * least_steps_per_period);
-  if (!(per_period * (pre + periods + post) < most_steps))
+  if (!(per_period * (pre + periods + post) < most_counted))
     throw input_error(fmt::format("the protocol has {:.3g} steps, {:.3g} in a period",
                                   per_period * (pre + periods + post), per_period),
-                      fmt::format("it can have {:.0g}", most_steps),
+                      fmt::format("it can have {:.0g}", most_counted),
                       fmt::format("raise shear.relative_frequency (to {:.1g} or more)",
-                                  c.shear.relative_frequency * per_period * (pre + periods + post) / most_steps));
+                                  c.shear.relative_frequency * per_period * (pre + periods + post) / most_counted));
   p.steps_per_period = std::llround(per_period);
   p.pre_steps = std::llround(pre * per_period);
   p.shear_steps = std::llround(periods * per_period);

@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
-#include "supple/core/random.hpp"
 #include "supple/energy/collapse.hpp"
+#include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/force/polygon_shape.hpp"
-#include "supple/model/bodies.hpp"
-#include "supple/model/polygons.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/shape_measures.hpp"
 
@@ -24,123 +21,7 @@ namespace supple {
 
 namespace {
 
-using std::numbers::pi;
-
-bool has_polygons(const Bodies& b) { return b.family != "disc"; }
-
-/// p^2/(4 pi a) that a particle of n vertices prefers; 0: of the regular polygon.
-double preferred_shape_parameter(const Bodies& b, int n, bool large) {
-  if (b.family == "rough_disc") return 0;
-  const double ratio = large && b.shape_ratio_large > 0 ? b.shape_ratio_large : b.shape_ratio;
-  return ratio > 0 ? ratio * least_shape_parameter(n) : b.shape_parameter;
-}
-
-ShapeSpec shape_spec(const Bodies& b, int n, bool large) {
-  return {b.k_a,
-          b.k_l,
-          b.k_b,
-          b.gamma,
-          b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
-          preferred_shape_parameter(b, n, large)};
-}
-
 Harmonic contact_law(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
-
-/// Preferred areas: small particles 1, large ones size_ratio^2, then the extra discs.
-struct Sizes {
-  int particles, large;
-  double ratio;
-  explicit Sizes(const Bodies& b)
-      : particles(b.count),
-        large(static_cast<int>(std::lround(b.large_fraction * b.count))),
-        ratio(b.size_ratio) {}
-  bool is_large(int body) const { return body >= particles - large && body < particles; }
-  double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
-};
-
-/// Adds the particle `body` of the case about a centre.
-void add_particle(const Case& c, int body, const Vec2& centre, System<2>& system) {
-  const Bodies& b = c.bodies;
-  const Sizes sizes(b);
-  const double area = sizes.area(body);
-  if (!has_polygons(b) || body >= b.count) return add_disc_body(system, centre, std::sqrt(area / pi));
-  const int n = sizes.is_large(body) && b.vertex_rule == "scaled"
-                    ? static_cast<int>(std::lround(b.size_ratio * b.vertices))
-                    : b.vertices;
-  RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle,
-                    static_cast<std::uint64_t>(body));
-  const ShapeSpec shape = shape_spec(b, n, sizes.is_large(body));
-  add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape);
-  if (b.family == "rough_disc") return make_rigid(system, body);
-  if (shape.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
-  // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
-  // lets it buckle.
-  for (int i = system.topology.begin[body]; i < system.topology.begin[body + 1]; ++i)
-    system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
-}
-
-/// Random positions in the cell, moved apart and away from its walls, as soft discs of these radii, until
-/// none overlap or as far as can be.
-std::vector<Vec2> random_centres(const std::vector<double>& radius, const Box<2>& box, std::int64_t seed) {
-  System<2> discs;
-  discs.box = box;
-  for (std::size_t k = 0; k < radius.size(); ++k) {
-    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_position, k);
-    const double x = draw.uniform(0, box.length[0]);
-    add_disc_body(discs, {x, draw.uniform(0, box.length[1])}, 1.02 * radius[k]);
-  }
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
-  field.set_walls({.repulsion = Harmonic{4, true}});
-  BodyObjective objective(discs, field, {1e-3, 1e-8});
-  std::vector<double> x = objective.coordinates();
-  MinimiseSpec spec;
-  spec.method = Minimiser::fire;
-  spec.max_evaluations = 20000;
-  minimise(objective, x, spec);
-  return discs.state.position;
-}
-
-/// Of this shape of the cell: height over width, periodic or between walls. Its lengths follow from the
-/// packing fraction.
-struct Enclosure {
-  double aspect_ratio = 1;
-  std::array<bool, 2> periodic{true, true};
-};
-
-System<2> random_packing(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure = {}) {
-  const int bodies = c.bodies.count + (has_polygons(c.bodies) ? c.bodies.discs : 0);
-  System<2> sample;  // far apart, for sizes
-  sample.box.length = {1e4 * bodies, 1e4 * bodies};
-  for (int b = 0; b < bodies; ++b) add_particle(c, b, {1e2 * b, 0}, sample);
-  const Outline outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
-  double area = 0;
-  for (double a : packing_fraction(sample, outline).area) area += a;
-  std::vector<double> radius;
-  for (int b = 0; b < bodies; ++b) radius.push_back(outer_radius(sample, b));
-  Box<2> box;
-  box.periodic = enclosure.periodic;
-  const double width = std::sqrt(area / packing_fraction_wanted / enclosure.aspect_ratio);
-  box.length = {width, enclosure.aspect_ratio * width};
-  const double widest = 2 * *std::max_element(radius.begin(), radius.end());
-  const double least = box.periodic[0] ? 2 * widest : widest;
-  const double shorter = std::min(box.length[0], box.length[1]);
-  if (shorter < least)
-    throw input_error(
-        fmt::format("{} particles at packing fraction {} in a {} cell", bodies, packing_fraction_wanted,
-                    box.periodic[0] ? "periodic" : "walled"),
-        fmt::format("the cell is {:.3g} wide and the largest particle {:.3g}: it {}", shorter, widest,
-                    box.periodic[0] ? "would meet a neighbour on two sides" : "does not fit in"),
-        "raise bodies.N");
-  const std::vector<Vec2> centre = random_centres(radius, box, c.general.seed);
-  System<2> system;
-  system.box = box;
-  for (int b = 0; b < bodies; ++b) add_particle(c, b, centre[b], system);
-  if (const Soundness s = look_at(system, outline); s.inside + s.crossing > 0 && c.contact.unsound == "stop")
-    throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
-                      fmt::format("there is no room, of {} particles: {}", bodies, s.what()),
-                      "start at a lower one, and compress");
-  return system;
-}
 
 double mean_radius(const System<2>& system) {
   double sum = 0;
@@ -246,7 +127,6 @@ Packing packing_of(const Case& c, System<2> system) {
     p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
   }
   p.shape_area = area_of_shapes(p.system);
-  p.covered_area = packing_fraction(p.system, p.outline).total * p.system.box.volume();
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;
   p.contact_pressure = c.jamming.pressure_kind == "contact";
@@ -266,16 +146,40 @@ System<2> given_system(const Case& c, const InitialState& initial) {
 
 }  // namespace
 
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted) {
+namespace {
+
+/// The particles of a state, or random ones of the case.
+Packing packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+                     const Enclosure& enclosure, const Making& making) {
   check_initial(initial);
-  Packing p = packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted));
+  Packing p;
+  if (initial) {
+    p = packing_of(c, given_system(c, *initial));
+  } else if (making.places == Places::row) {
+    LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
+    p = packing_of(c, std::move(loose.system));
+    p.cell = loose.cell;
+    p.covered_area = loose.area;
+    return p;
+  } else {
+    p = packing_of(c, random_packing(c, packing_fraction_wanted, enclosure, making.stop_requested));
+  }
+  p.cell = p.system.box;
+  p.covered_area = packing_fraction(p.system, p.outline).total * p.cell.volume();
+  return p;
+}
+
+}  // namespace
+
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+                     const Making& making) {
+  Packing p = packing_from(c, initial, packing_fraction_wanted, {}, making);
   if (initial) surround(c, initial->environment, p);
   return p;
 }
 
 Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                           double aspect_ratio) {
-  check_initial(initial);
+                           double aspect_ratio, const Making& making) {
   if (initial && (initial->system.box.periodic[0] || initial->system.box.periodic[1]))
     throw input_error("the state to start from is periodic",
                       fmt::format("{} needs a box of walls", c.general.experiment),
@@ -284,21 +188,19 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
     throw input_error("the state to start from lies under gravity, or without some of the walls",
                       fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
                       "start from a run of it, or from [bodies]");
-  const Enclosure walled{aspect_ratio, {false, false}};
-  Packing p =
-      packing_of(c, initial ? given_system(c, *initial) : random_packing(c, packing_fraction_wanted, walled));
+  Packing p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
   WallLaw walls = wall_law(c);
   walls.floor_friction = 0;  // friction has no energy to minimise
   p.field->set_walls(walls);
   return p;
 }
 
-Packing make_periodic_packing(const Case& c, const InitialState* initial) {
+Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
   if (initial && !is_periodic(initial->system))
     throw input_error("the state to start from lies between walls",
                       fmt::format("{} shrinks a periodic cell", c.general.experiment),
                       "start from a periodic packing");
-  return make_packing(c, initial, c.jamming.packing_fraction);
+  return make_packing(c, initial, c.jamming.packing_fraction, making);
 }
 
 double covered_fraction(const Packing& packing) {

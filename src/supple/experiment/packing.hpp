@@ -10,6 +10,7 @@
 #include "supple/force/force_field.hpp"
 #include "supple/observe/packing_fraction.hpp"
 #include "supple/solve/body_objective.hpp"
+#include "supple/solve/minimise.hpp"
 
 namespace supple {
 
@@ -30,23 +31,35 @@ struct Packing {
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
   double shape_area = 0;          ///< of their polygons and discs then
   OnUnsound on_unsound = OnUnsound::stop;
+  Box<2> cell;                    ///< that it begins in; the system's own, but for particles in a row
   std::optional<System<2>> relaxed;  ///< as relax() last left it in equilibrium
+};
+
+/// Where the particles of a case are put.
+enum class Places {
+  random,  ///< in the cell, apart
+  row      ///< far apart in a row, at no cost: for numbers that do not depend on where they are
+};
+
+struct Making {
+  Places places = Places::random;
+  StopRequest stop_requested;  ///< asked while particles find their places
 };
 
 /// The particles of the case at random positions that do not overlap in a square periodic cell of this
 /// packing fraction, or the packing that the case starts from. Input errors where the case asks for what
 /// cannot be.
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction);
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction, const Making& making = {});
 
 /// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there
 /// is room. The packing fraction is that of the area between the walls. A state to start from is taken with
 /// its box; input error where that is periodic.
 Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
-                           double aspect_ratio);
+                           double aspect_ratio, const Making& making = {});
 
 /// The same for experiments that change the size of the cell. Input error where the state to start from is
 /// not periodic.
-Packing make_periodic_packing(const Case& c, const InitialState* initial);
+Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// The force field that the case describes.
 std::shared_ptr<ForceField> make_body_field(const Case& c);

@@ -41,9 +41,9 @@ std::vector<Derived> derived_packing(const Packing& packing) {
   const System<2>& s = packing.system;
   return {{{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
           {{"sites", "", "vertices and discs"}, static_cast<double>(s.state.size())},
-          {{"cell_width", "", "width of the cell at the start"}, s.box.length[flow]},
-          {{"cell_height", "", "height of the cell at the start"}, s.box.length[gradient]},
-          {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / s.box.volume()},
+          {{"cell_width", "", "width of the cell at the start"}, packing.cell.length[flow]},
+          {{"cell_height", "", "height of the cell at the start"}, packing.cell.length[gradient]},
+          {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / packing.cell.volume()},
           {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
 }
 

@@ -10,6 +10,12 @@
 
 namespace supple {
 
+/// How packings are made to derive numbers from, and to run.
+inline const Making in_a_row{Places::row, {}};
+inline Making at_random(const Recorder& recorder) {
+  return {Places::random, [&recorder] { return recorder.stop_requested(); }};
+}
+
 /// Numbers that are known before the run.
 std::vector<Derived> derived_packing(const Packing& packing);
 /// The same for experiments that minimise, with what they call equilibrium.

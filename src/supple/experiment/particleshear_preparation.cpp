@@ -6,6 +6,7 @@
 #include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/suspension.hpp"
 #include "supple/model/discs.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 namespace {
@@ -125,6 +126,7 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
   System<2> system = package_discs(
       make_box(c, units),
       {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()}, seed);
+  require_sane(system, "this suspension");
   std::fill(system.state.angle.begin(), system.state.angle.end(), -std::numbers::pi / 2);
 
   const Stages stages = particleshear_preparation(c, run);

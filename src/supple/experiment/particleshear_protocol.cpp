@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/material.hpp"
 
 namespace supple {
@@ -117,6 +118,10 @@ double ParticleShearRun::rate_at(std::int64_t step, double time) const {
   return amplitude * std::cos(2 * pi * (time * frequency - pre_periods)) * 2 * pi * frequency;
 }
 
+namespace {
+constexpr const char* frequency_to_do = "raise shear.relative_frequency";
+}  // namespace
+
 ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial) {
   reject_what_the_package_lacks(c);
   const double um = particleshear_units().length;
@@ -135,9 +140,11 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
   if (c.time.time_step > 0) run.dt = c.time.time_step;
   if (initial) take_from_state(c, *initial, run);
 
+  const double per_period = 1 / run.frequency / run.dt;
+  const double steps = (run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt;
+  run.steps = whole_number(std::floor(std::max(steps, 0.0)), "steps of the protocol", frequency_to_do);
+  whole_number(per_period, "steps of a period", frequency_to_do);
   run.damping = std::pow(c.shear.cool_factor, 1 / (1 / run.frequency / run.dt));
-  run.steps =
-      static_cast<std::int64_t>((run.periods + run.pre_periods + run.post_periods) / run.frequency / run.dt);
   return run;
 }
 

@@ -6,11 +6,13 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/heap.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -28,7 +30,9 @@ std::vector<int> drawn_places(int n, std::int64_t seed) {
 /// Particles in rows above the floor of a box of this width. Returns the height of the rows.
 double hang(System<2>& s, double width, double spacing, double widest, std::int64_t seed) {
   const int bodies = s.topology.body_count(s.state.size());
-  const int columns = std::max(1, static_cast<int>(width / spacing)), rows = (bodies + columns - 1) / columns;
+  const int columns = std::max(1, whole_number<int>(std::floor(width / spacing), "particles in a row of the heap",
+                                                    "lower slump.width"));
+  const int rows = (bodies - 1) / columns + 1;
   const double across = width / columns;
   const std::vector<int> places = drawn_places(bodies, seed);  // or the large ones would all be on top
   for (int b = 0; b < bodies; ++b) {
@@ -51,8 +55,8 @@ WallLaw open_box(const Case& c, bool right_wall) {
 
 /// The particles, at rest, above the floor of the open box, about to fall. Those of a file fall anew: only
 /// what they are is kept.
-Packing hanging_packing(const Case& c, const InitialState* initial) {
-  Packing p = make_packing(c, initial, 0.1);
+Packing hanging_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing p = make_packing(c, initial, 0.1, making);
   System<2>& s = p.system;
   put_at_rest(s);
   const double mean = mean_diameter(s), widest = widest_diameter(s), width = c.slump.width * mean;
@@ -62,6 +66,8 @@ Packing hanging_packing(const Case& c, const InitialState* initial) {
   s.box = {};
   s.box.periodic = {false, false};
   s.box.length = {width, hang(s, width, c.slump.drop_spacing * widest, widest, c.general.seed)};
+  require_sane(s, "this heap");
+  p.cell = s.box;
   p.field->external().gravity = {0, -c.slump.gravity};
   p.field->set_walls(open_box(c, true));
   p.field->invalidate();
@@ -70,7 +76,9 @@ Packing hanging_packing(const Case& c, const InitialState* initial) {
 
 /// Steps of a time that the case gives in units of sqrt(1/gravity).
 std::int64_t steps_of(const Case& c, double time, double dt) {
-  return std::max<std::int64_t>(1, std::llround(time / std::sqrt(c.slump.gravity) / dt));
+  return std::max<std::int64_t>(
+      1, whole_number(time / std::sqrt(c.slump.gravity) / dt, "steps of the heap",
+                      "lower slump.settle_time and slump.spread_time, or raise slump.gravity"));
 }
 
 /// A heap that moves, and what is recorded of it on the way.
@@ -155,6 +163,7 @@ class MovingHeap {
   void append() {
     heap_ =
         measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
+    if (!std::isfinite(heap_.spread + heap_.height)) good_.look();  // throws, back at the last good state
     recorder_.append("motion", heap_row(heap_));
   }
 
@@ -168,10 +177,7 @@ class MovingHeap {
   Heap heap_;
 };
 
-}  // namespace
-
-std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
-  Packing packing = hanging_packing(c, initial);
+std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
   std::vector<Derived> all = derived_packing(packing);
   const double dt = body_time_step(c, packing, nullptr, damped_step);
   const std::int64_t most = steps_of(c, c.slump.settle_time, dt) + steps_of(c, c.slump.spread_time, dt);
@@ -185,9 +191,16 @@ std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
   return all;
 }
 
+}  // namespace
+
+std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
+  Packing packing = hanging_packing(c, initial, in_a_row);
+  return derived_slump(c, packing);
+}
+
 void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = hanging_packing(c, initial);
-  begin_packing(packing, derive_slump(c, initial), recorder);
+  Packing packing = hanging_packing(c, initial, at_random(recorder));
+  begin_packing(packing, derived_slump(c, packing), recorder);
   MovingHeap heap(c, std::move(packing), recorder);
   try {
     heap.move("settle", c.slump.settle_time);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
@@ -61,8 +62,8 @@ void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, co
   RelaxationSpec spec;
   spec.time_step = k.relaxation_step;
   spec.tolerance = c.preparation.stress_tolerance * typical_stress(c);
-  const double steps = std::min(c.preparation.max_time * k.tau / spec.time_step, 1e15);
-  spec.most_steps = std::max<std::int64_t>(1000, std::llround(steps));
+  const double steps = std::min(c.preparation.max_time * k.tau / spec.time_step, most_counted);
+  spec.most_steps = std::max<std::int64_t>(1000, whole_number(steps, "steps of the preparation", "lower preparation.max_time"));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
   };
@@ -107,6 +108,7 @@ Suspension make_documented(const Case& c, const InitialState* initial, Recorder&
   const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
                       c.material.density};
   s.system = random_discs(make_box(c, s.units), spec, static_cast<std::uint64_t>(c.general.seed));
+  require_sane(s.system, "this suspension");
   prepare_documented(s, stepper, c, k, recorder);
   s.system.time = 0;
   s.system.step = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
@@ -16,8 +17,8 @@ namespace supple {
 namespace {
 
 /// Between four walls, as the case says or as a state was left; the strain counts from here.
-Packing boxed_packing(const Case& c, const InitialState* initial) {
-  Packing p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio);
+Packing boxed_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio, making);
   put_at_rest(p.system);
   return p;
 }
@@ -71,6 +72,12 @@ std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r,
   return row;
 }
 
+/// Steps of the upper wall on its way down.
+std::int64_t wall_steps(const Case& c) {
+  return std::max<std::int64_t>(
+      1, whole_number(c.uniaxial.strain / c.uniaxial.step, "steps of the wall", "raise uniaxial.step", 1e9));
+}
+
 /// Lowers the upper wall to `height`; what is below moves with the strain, bodies as wholes.
 void lower_wall(System<2>& s, double height) {
   scale_cell(s, {1, height / s.box.length[gradient]});
@@ -99,7 +106,7 @@ void count(JamProgress& work, const MinimiseReport& done) {
 /// The course from the first to the last strain; a row of the table for each step, and frames.
 void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& recorder) {
   const double height = packing.system.box.length[gradient];
-  const auto steps = std::max<std::int64_t>(1, std::llround(c.uniaxial.strain / c.uniaxial.step));
+  const std::int64_t steps = wall_steps(c);
   const std::int64_t every = std::max<std::int64_t>(1, steps / c.output.frames);
   LastGood good(packing);
   for (std::int64_t k = 0; k <= steps; ++k) {
@@ -122,14 +129,14 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
 }  // namespace
 
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial));
+  std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial, in_a_row));
   all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"},
-                 std::ceil(c.uniaxial.strain / c.uniaxial.step)});
+                 static_cast<double>(wall_steps(c))});
   return all;
 }
 
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = boxed_packing(c, initial);
+  Packing packing = boxed_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
   recorder.declare("packing", uniaxial_columns(packing));
   JamProgress work;

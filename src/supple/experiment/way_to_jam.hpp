@@ -7,9 +7,6 @@
 
 namespace supple {
 
-/// Force evaluations of a whole search: 145 to 360 per site, by measurement on 16 discs and 32 and 64 shells.
-inline double evaluations_to_jam(int sites) { return 180.0 * sites; }
-
 /// A share of the evaluations, by measurement on 16 to 64 discs and shells (within 0.15): a tenth until particles
 /// meet at a packing fraction of 0.5; half when the pressure is first exceeded, near 0.8, as more and more of them must
 /// get out of each other's way; then as the logarithm of the pressure falls to the one wanted. Never goes back.

@@ -23,20 +23,4 @@ inline double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
   return norm(r - t * edge);
 }
 
-/// Whether the ring winds round x (nonzero rule). A point of the boundary may count either way.
-inline bool encloses(std::span<const Vec2> ring, const Vec2& x) {
-  int winding = 0;
-  Vec2 a = ring.back() - x;
-  for (const Vec2& vertex : ring) {
-    const Vec2 b = vertex - x;
-    if ((a[1] <= 0) != (b[1] <= 0)) {
-      const double side = cross(a, b);
-      if (a[1] <= 0 && side > 0) ++winding;
-      if (b[1] <= 0 && side < 0) --winding;
-    }
-    a = b;
-  }
-  return winding != 0;
-}
-
 }  // namespace supple

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/io/chart.hpp"
 #include "supple/io/ticks.hpp"
 #include "supple/io/uncertainty.hpp"
@@ -103,7 +104,8 @@ ChartSeries fitted_ellipse(const StressEstimate& estimate, double amplitude) {
 
 ChartColumn lissajous(const OscillatoryPlot& plot) {
   ChartPanel panel{strain_axis, stress_axis_of(plot), {}};
-  const int cycles = std::max(1, static_cast<int>(std::ceil(plot.protocol.periods - 1e-9)));
+  const double periods = std::min(std::ceil(plot.protocol.periods - 1e-9), static_cast<double>(plot.time.size()));
+  const int cycles = std::max(1, whole_number<int>(periods, "cycles of the shear", "look at the run"));
   for (int c = 0; c < cycles; ++c) panel.series.push_back(cycle_loop(plot, plot.internal, c, cycles));
   ChartSeries internal = fitted_ellipse(plot.internal, plot.protocol.amplitude);
   internal.label = moduli_line("internal", plot.internal);

@@ -94,7 +94,7 @@ void add_arcs(std::vector<std::vector<Vec2>>& pieces, const Body& body, std::siz
     return !body.in_a_disc_but(i, at(angle)) && !body.in_polygon(at(angle));
   };
   for (const auto& [from, to] : visible_stretches(cuts, first, first + full_turn, is_visible)) {
-    const int steps = std::max(2, static_cast<int>(std::ceil((to - from) * radius / step)));
+    const int steps = static_cast<int>(std::clamp(std::ceil((to - from) * radius / step), 2.0, 1e4));
     std::vector<Vec2>& arc = pieces.emplace_back();
     for (int s = 0; s <= steps; ++s) arc.push_back(at(from + (to - from) * s / steps));
   }

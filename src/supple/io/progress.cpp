@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/core/duration.hpp"
+
 namespace supple {
 
 namespace {
@@ -16,15 +18,6 @@ std::string bar(double share) {
   return "[" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "]";
 }
 }  // namespace
-
-std::string describe_seconds(double seconds) {
-  if (!(seconds >= 0) || seconds > 1e9) return "unknown";
-  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
-  const auto s = static_cast<std::int64_t>(std::llround(seconds));
-  if (s < 60) return fmt::format("{} s", s);
-  if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);
-  return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);
-}
 
 double ProgressLine::seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -42,7 +42,4 @@ class ProgressLine {
   std::size_t drawn_ = 0;  ///< characters of the line that is being redrawn
 };
 
-/// "12 s", "3 min 20 s", "2 h 5 min".
-std::string describe_seconds(double seconds);
-
 }  // namespace supple

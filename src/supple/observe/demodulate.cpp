@@ -6,6 +6,7 @@
 #include <string>
 
 #include "supple/core/error.hpp"
+#include "supple/core/whole_number.hpp"
 #include "supple/observe/cycles.hpp"
 
 namespace supple {
@@ -123,7 +124,7 @@ void remove_ramp(Series& series, double slope, double from) {
 /// from cycle to cycle, as harmonics of any order do not: two and more cycles correct it.
 Demodulation fit_all(Series series, const Protocol& p) {
   Demodulation result;
-  const int cycles = result.cycles = static_cast<int>(std::floor(p.periods - first_measured(p) + 1e-9));
+  const int cycles = result.cycles = whole_number<int>(std::floor(p.periods - first_measured(p) + 1e-9), "cycles of the shear", "lower shear.periods");
   const double start = p.pre / p.frequency, end = (p.pre + p.periods) / p.frequency;
   const Window whole{end - cycles / p.frequency, end};
   const double samples = static_cast<double>(samples_in(series, p, whole).size()) / cycles;

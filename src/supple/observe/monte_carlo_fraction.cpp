@@ -8,6 +8,7 @@
 #include "supple/core/parallel.hpp"
 #include "supple/core/random.hpp"
 #include "supple/core/require.hpp"
+#include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 #include "supple/observe/packing_fraction.hpp"
 
@@ -22,7 +23,7 @@ bool covered_by(const BodyShape& body, Outline outline, const Vec2& x) {
     if (smooth ? body.distance_to_edge(k, x) < body.radius[k] : dot(r, r) < body.radius[k] * body.radius[k])
       return true;
   }
-  return !body.is_disc() && encloses(body.ring, x);
+  return !body.is_disc() && is_inside(x, body.ring);
 }
 
 /// The distance to the outline at least: positive inside, negative outside.
@@ -33,7 +34,7 @@ double depth_in(const BodyShape& body, Outline outline, const Vec2& x) {
     if (!body.is_disc()) from_edge = std::min(from_edge, body.distance_to_edge(k, x));
   }
   if (body.is_disc()) return -from_disc;
-  const bool inside = encloses(body.ring, x);
+  const bool inside = is_inside(x, body.ring);
   if (outline == Outline::smooth) return body.radius[0] + (inside ? from_edge : -from_edge);
   return std::max(-from_disc, inside ? from_edge : -from_edge);
 }

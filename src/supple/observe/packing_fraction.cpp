@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/geometry/bands.hpp"
+#include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
@@ -47,12 +49,31 @@ std::vector<OutlineCurve> outline_curves(const BodyShape& body, Outline outline)
   return curves;
 }
 
+/// Heights between which each edge of a ring may cover a point, with the discs at its ends.
+std::vector<Interval> heights_of_edges(const BodyShape& body, double tolerance) {
+  double reach = tolerance;
+  for (const double radius : body.radius) reach = std::max(reach, radius);
+  std::vector<Interval> heights;
+  for (int k = 0; k < body.size(); ++k) {
+    const double a = body.ring[k][1], b = body.ring[body.next(k)][1];
+    heights.push_back({std::min(a, b) - reach, std::max(a, b) + reach});
+  }
+  return heights;
+}
+
+std::vector<Interval> heights_of(const std::vector<OutlineCurve>& curves) {
+  std::vector<Interval> heights;
+  for (const OutlineCurve& c : curves) heights.push_back({c.bounds.low[1], c.bounds.high[1]});
+  return heights;
+}
+
 /// A body with what is asked of its outline. A point on its outline, to within `tolerance`, is not covered by
 /// it, so that bodies which only touch keep both their outlines.
 class Body {
  public:
   Body(const BodyShape& shape, Outline outline, double tolerance)
-      : shape_(shape), outline_(outline), tolerance_(tolerance), curves_(outline_curves(shape, outline)) {}
+      : shape_(shape), outline_(outline), tolerance_(tolerance), curves_(outline_curves(shape, outline)),
+        edges_(heights_of_edges(shape, tolerance)) {}
 
   const BodyShape& shape() const { return shape_; }
   const std::vector<OutlineCurve>& curves() const { return curves_; }
@@ -75,7 +96,7 @@ class Body {
   /// Within the radius of a site (rough) or of an edge (smooth), but for those two.
   bool reached(const Vec2& x, int except, int or_except) const {
     const bool discs = shape_.is_disc() || outline_ == Outline::rough;
-    for (int k = 0; k < shape_.size(); ++k) {
+    for (const std::int32_t k : edges_.at(x[1])) {
       if (k == except || k == or_except) continue;
       const double distance = discs ? norm(x - shape_.ring[k]) : shape_.distance_to_edge(k, x);
       if (distance < shape_.radius[k] - tolerance_) return true;
@@ -83,16 +104,20 @@ class Body {
     return false;
   }
   bool in_polygon(const Vec2& x) const {
-    if (shape_.is_disc() || !encloses(shape_.ring, x)) return false;
-    for (int k = 0; k < shape_.size(); ++k)
+    if (shape_.is_disc()) return false;
+    int winding = 0;
+    for (const std::int32_t k : edges_.at(x[1])) {
       if (shape_.distance_to_edge(k, x) <= tolerance_) return false;
-    return true;
+      winding += ray_crossing(x, shape_.ring[k], shape_.ring[shape_.next(k)]);
+    }
+    return winding != 0;
   }
 
   const BodyShape& shape_;
   Outline outline_;
   double tolerance_;
   std::vector<OutlineCurve> curves_;
+  Bands edges_;  ///< by height
 };
 
 /// Sorted ends of the pieces between cuts.
@@ -106,10 +131,14 @@ void finish_cuts(std::vector<double>& cuts) {
 std::vector<Piece> own_outline(const Body& body) {
   std::vector<Piece> pieces;
   std::vector<double> cuts;
+  const std::vector<Interval> heights = heights_of(body.curves());
+  const Bands bands(heights);
   for (const OutlineCurve& a : body.curves()) {
     cuts.clear();
-    for (const OutlineCurve& b : body.curves())
+    bands.for_each_meeting(a.bounds.low[1], a.bounds.high[1], heights, [&](std::int32_t k) {
+      const OutlineCurve& b = body.curves()[k];
       if (&a != &b && a.bounds.meets(b.bounds)) append_crossings(a.curve, b.curve, cuts);
+    });
     finish_cuts(cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c)
       if (!body.covers_own(a.curve.at(0.5 * (cuts[c] + cuts[c + 1])), a))

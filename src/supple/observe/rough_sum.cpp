@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "supple/geometry/disc_overlap.hpp"
+#include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 #include "supple/observe/packing_fraction.hpp"
 
@@ -77,7 +78,7 @@ bool meets_own_ring(const BodyShape& body, int i, bool convex) {
 bool meets_polygon(const BodyShape& body, int i, const BodyShape& other, const Vec2& shift) {
   if (other.is_disc()) return false;
   const Vec2 x = body.ring[i] - shift;
-  if (encloses(other.ring, x)) return true;
+  if (is_inside(x, other.ring)) return true;
   std::vector<double> crossings;
   for (int k = 0; k < other.size(); ++k) {
     if (other.distance_to_edge(k, x) < body.radius[i]) return true;

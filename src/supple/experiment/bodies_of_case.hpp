@@ -1,0 +1,54 @@
+/// The deformable particles that a case describes: how many and how large, and samples of them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "supple/experiment/case.hpp"
+#include "supple/model/system.hpp"
+#include "supple/observe/packing_fraction.hpp"
+
+namespace supple {
+
+/// Numbers of particles and vertices. Particles come first, small before large, then the extra discs.
+struct BodySizes {
+  explicit BodySizes(const Bodies& b);
+
+  int bodies() const { return particles + discs; }
+  /// Vertices and discs of all of them: up to 1e11 for keys in their ranges.
+  std::int64_t sites() const;
+  bool is_large(int body) const { return body >= particles - large && body < particles; }
+  /// Preferred area: of small particles and extra discs 1.
+  double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
+  /// 1 of a disc.
+  int vertices(int body) const { return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small; }
+
+  int particles, discs, large;
+  double ratio;
+  int vertices_small, vertices_large;
+};
+
+/// The shape of a cell: height over width, periodic or between walls. Its lengths follow from the packing fraction.
+struct Enclosure {
+  double aspect_ratio = 1;
+  std::array<bool, 2> periodic{true, true};
+};
+
+/// The particles in a row, far apart, and the cell that they are for.
+struct LooseBodies {
+  System<2> system;
+  std::vector<double> radius;  ///< of the circle round each
+  double area = 0;             ///< that all of them cover
+  Box<2> cell;
+};
+
+/// Everything about a random packing but where its particles are. Input error where the largest does not fit into the
+/// cell.
+LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {});
+
+/// Those particles at random positions in the cell, moved apart as far as can be. Input error where there is no room;
+/// `interrupted` where asked to stop.
+System<2> random_packing(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
+                         const std::function<bool()>& stop_requested = {});
+
+}  // namespace supple

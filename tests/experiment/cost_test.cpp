@@ -1,0 +1,149 @@
+/// What is said of a run before it begins must cost nothing, however absurd the case.
+#include <gtest/gtest.h>
+
+#include <ctime>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/adopt_state.hpp"
+#include "supple/experiment/bodies_of_case.hpp"
+#include "supple/experiment/cost.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/packing_record.hpp"
+
+namespace supple {
+namespace {
+
+Case bodies_case(const std::string& experiment, const std::string& family = "shell") {
+  Case c;
+  c.general.experiment = experiment;
+  c.general.physics = "deformable";
+  c.bodies.family = family;
+  c.given.insert("bodies.family");
+  c.bodies.count = 12;
+  c.bodies.vertices = 12;
+  c.jamming.packing_fraction = 0.4;
+  c.time.steps = 10;
+  c.given.insert("time.steps");
+  resolve_family(c);
+  return c;
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+TEST(Cost, NumbersKnownBeforehandAreThoseOfTheRun) {
+  for (const char* experiment : {"slump", "dynamics"})
+    for (const char* family : {"shell", "floppy", "disc", "rough_disc"}) {
+      SCOPED_TRACE(std::string(experiment) + " of " + family);
+      Case c = bodies_case(experiment, family);
+      c.slump.settle_time = c.slump.spread_time = 0.05;
+      MemoryRecorder recorder;
+      run(c, nullptr, recorder);
+      for (const Derived& d : derive(c, nullptr)) {
+        const double of_run = recorder.get("constants", d.name.name);
+        EXPECT_NEAR(d.value, of_run, 1e-9 * std::abs(of_run)) << d.name.name;
+      }
+    }
+}
+
+TEST(Cost, ParticlesInARowAreThoseOfTheCell) {
+  for (const char* family : {"shell", "floppy", "disc", "rough_disc"})
+    for (const double ratio : {1.4, 100.0}) {  // the largest are wider than the usual distance in the row
+      SCOPED_TRACE(family);
+      Case c = bodies_case("jamming", family);
+      c.bodies.size_ratio = ratio;
+      c.jamming.packing_fraction = ratio < 2 ? 0.4 : 0.05;
+      const std::vector<Derived> row = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction, in_a_row)),
+                                 cell = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction));
+      for (std::size_t k = 0; k < row.size(); ++k)
+        EXPECT_NEAR(row[k].value, cell[k].value, 1e-9 * cell[k].value) << row[k].name.name;
+    }
+}
+
+TEST(Cost, SitesAreCountedBeforeTheyAreMade) {
+  for (const char* family : {"shell", "disc"}) {
+    Case c = bodies_case("jamming", family);
+    c.bodies.discs = 3;
+    c.bodies.vertex_rule = "scaled";
+    EXPECT_EQ(BodySizes(c.bodies).sites(), make_packing(c, nullptr, 0.3).system.state.size());
+  }
+}
+
+TEST(Cost, VerticesBeyondAnyMemoryAreRefusedAtOnce) {
+  Case c = bodies_case("jamming");
+  for (const auto& [count, vertices] : {std::pair{64, 20000}, {1000000, 100000}}) {
+    c.bodies.count = count;
+    c.bodies.vertices = vertices;
+    const double begin = cpu_seconds();
+    try {
+      derive(c, nullptr);
+      ADD_FAILURE();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::input);
+      EXPECT_NE(std::string(e.what()).find("GB of memory"), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("lower bodies.N or bodies.vertices"), std::string::npos) << e.what();
+    }
+    EXPECT_LT(cpu_seconds() - begin, 0.5);
+  }
+}
+
+TEST(Cost, AThousandsSidedRingCostsNoSquareOfItsSides) {
+  Case c = bodies_case("jamming");
+  c.bodies.count = 4;
+  c.bodies.vertices = 10000;
+  const double begin = cpu_seconds();
+  derive(c, nullptr);
+  EXPECT_LT(cpu_seconds() - begin, 3);  // 0.3 s here; with all pairs of sides looked at, a minute
+}
+
+TEST(Cost, StepsThatNoIntegerHoldsAreRefusedByName) {
+  const auto refused = [](Case c, const std::string& key) {
+    try {
+      derive(c, nullptr);
+      ADD_FAILURE() << key;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::input);
+      EXPECT_NE(std::string(e.what()).find(key), std::string::npos) << e.what();
+    }
+  };
+  Case c = bodies_case("slump");
+  c.slump.settle_time = 1e300;
+  refused(c, "slump.settle_time");
+  c = bodies_case("slump");
+  c.slump.width = 1e300;
+  refused(c, "slump.width");
+  c = bodies_case("uniaxial_compression");
+  c.uniaxial.step = 5e-324;
+  refused(c, "uniaxial.step");
+  c = bodies_case("compression");
+  c.compression.per_decade = 2000000000;
+  refused(c, "compression.per_decade");
+  c = Case{};
+  c.general.physics = "particleshear-1.0.2";
+  c.particles.cut_lines = 0;
+  c.shear.relative_frequency = 5e-324;
+  refused(c, "shear.relative_frequency");
+}
+
+TEST(Cost, AStateIsSaneBeforeAnythingIsReadFromIt) {
+  InitialState initial;
+  initial.system = make_packing(bodies_case("jamming"), nullptr, 0.3).system;
+  initial.system.state.radius[5] = 1e200;
+  Case c = bodies_case("jamming");
+  c.given = {"bodies.N"};
+  c.bodies.count = 3;  // wrong, too: but that is said of particles that can be computed with
+  try {
+    adopt_state(c, &initial);
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(std::string(e.what()).find("the state to start from cannot be computed with"), 0u) << e.what();
+  }
+}
+
+TEST(Cost, NumbersThatAreNoneAreNotSound) {
+  Case c = bodies_case("slump");
+  c.slump.gravity = 1e308;
+  EXPECT_THROW(derive(c, nullptr), Error);
+}
+
+}  // namespace
+}  // namespace supple
