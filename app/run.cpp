@@ -117,9 +117,16 @@ void write_beside(const Case& c, const std::string& run, Existing existing, Comm
   if (c.output.images > 0) draw_or_warn(images_folder(run), [&] { draw_images_of(c, run, recorder); });
 }
 
+void heed_signals() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as under nohup
+}
+
 }  // namespace
 
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
+  heed_signals();  // from the first moment: a stop that comes early is answered as any other
   const auto [c, initial] = load_case(choice);
   derive_case(c, initial);  // its input errors come before any file
   const std::string file = run_path(c, choice.path, path);
@@ -127,9 +134,6 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);
 
   CommandRecorder recorder(file, c, existing);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  if (std::signal(SIGHUP, on_hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as under nohup
   try {
     supple::run(c, initial ? &*initial : nullptr, recorder);
     recorder.end_progress();

@@ -59,6 +59,23 @@ TEST_P(StoppingOf, EndsWithinAMinimisationAndShowsThePacking) {
 INSTANTIATE_TEST_SUITE_P(Experiments, StoppingOf, ::testing::Values("jamming", "compression", "uniaxial_compression"),
                          [](const auto& one) { return one.param; });
 
+/// Before there is a packing: nothing is begun, and nothing handed over.
+TEST_P(StoppingOf, HeedsWhileParticlesFindTheirPlaces) {
+  Case c = small_case(GetParam());
+  c.bodies.count = 100;
+  c.jamming.packing_fraction = 0.8;
+  Stopper recorder(3);
+  try {
+    run(c, nullptr, recorder);
+    FAIL() << "was not stopped";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::interrupted);
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("found their places"));
+  }
+  EXPECT_LT(recorder.late(), 40);
+  EXPECT_EQ(recorder.last_system.state.size(), 0);
+}
+
 TEST(Jamming, OneEvaluationIsNoMinimisation) {
   Case c = small_case("jamming");
   c.minimise.max_evaluations = 1;

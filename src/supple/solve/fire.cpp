@@ -80,9 +80,9 @@ double largest_eigenvalue(Descent& descent, std::vector<double>& direction, int 
   if (!(largest(direction) > 0)) direction.clear();
   std::copy(origin.begin(), origin.end(), descent.x.begin());
   descent.gradient = gradient;
-  const long evaluations = descent.report.evaluations;
-  descent.report = before;
-  descent.report.evaluations = evaluations;
+  descent.report.energy = before.energy;  // not its ending: a request to stop may have come meanwhile
+  descent.report.residual = before.residual;
+  descent.report.tolerance = before.tolerance;
   return eigenvalue;
 }
 
