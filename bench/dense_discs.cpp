@@ -76,7 +76,8 @@ System<2> dense_discs(const DenseSpec& spec) {
   const int n = spec.discs, small_count = n / 2;
   const double area = pi * small * small * (small_count + (n - small_count) * b * b);
   Box<2> box;
-  box.length[0] = box.length[1] = std::sqrt(area / spec.packing_fraction);
+  box.length[flow] = std::sqrt(area / spec.packing_fraction / spec.aspect_ratio);
+  box.length[gradient] = spec.aspect_ratio * box.length[flow];
   System<2> system = random_discs(box, {n, spec.packing_fraction, b, 1 / (pi * small * small)}, 1);
   number_in_space(system.state, 2 * small);
   relax(system);

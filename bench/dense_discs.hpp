@@ -8,6 +8,7 @@ namespace supple::bench {
 struct DenseSpec {
   int discs = 10000;
   double packing_fraction = 0.84, size_ratio = 1.4;
+  double aspect_ratio = 1;  ///< height of the cell over its width
   double speed = 0.005; ///< root mean square of each velocity component at the start
 };
 

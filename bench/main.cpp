@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/cells.hpp"
 #include "bench/dense_discs.hpp"
 #include "bench/lammps.hpp"
 #include "bench/machine.hpp"
@@ -176,7 +177,7 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | peers | run | shells | jamming | threads]...: these tables, or all.
+/// supple_bench [sizes | cells | peers | run | shells | jamming | threads]...: these tables, or all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -186,6 +187,7 @@ int main(int argc, char** argv) {
   fmt::print("Supple {} on one core of: {}\n", SUPPLE_VERSION, processor_name());
   Comparison comparison;
   if (wants("sizes")) print_sizes();
+  if (wants("cells")) print_cells();
   if (wants("peers")) {
     comparison = print_comparison();
     print_limit(comparison.supple);

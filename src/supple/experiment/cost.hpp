@@ -8,8 +8,8 @@ namespace supple {
 inline constexpr double seconds_per_disc_step = 150e-9;
 /// The same of a vertex and force evaluation in a minimisation, where forces are all there is to do [s].
 inline constexpr double seconds_per_site_evaluation = 41e-9;
-/// Memory of a vertex in a run, by measurement [byte].
-inline constexpr double bytes_per_site = 1500;
+/// Memory of a vertex in a run, by measurement of shells, 1e5 vertices: 2.0 to 2.7 kB [byte].
+inline constexpr double bytes_per_site = 2500;
 /// Vertices and discs of a case at most: jamming more takes months.
 inline constexpr std::int64_t most_sites = 1'000'000;
 
