@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/paths.hpp"
+
 namespace supple {
 
 /// What a command left: exit code, stdout, stderr.

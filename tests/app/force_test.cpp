@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/app/command.hpp"
+#include "tests/paths.hpp"
 
 namespace supple {
 namespace {

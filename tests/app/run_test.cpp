@@ -7,6 +7,7 @@
 
 #include "supple/io/run_file.hpp"
 #include "tests/app/command.hpp"
+#include "tests/paths.hpp"
 
 namespace supple {
 namespace {

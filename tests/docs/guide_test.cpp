@@ -8,6 +8,7 @@
 
 #include "supple/io/case_file.hpp"
 #include "tests/app/command.hpp"
+#include "tests/paths.hpp"
 
 namespace supple {
 namespace {

@@ -109,17 +109,18 @@ TEST_F(ContinuationMatrix, EachStateActsAsItDid) {
 TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
   make_files();
   const std::string discs = "oscillatory_shear is about discs", microgel = "holds discs of microgels",
-                    periodic = "is periodic", walls = "lies between walls", open = "lies under gravity";
+                    periodic = "is periodic", walls = "lies between walls", open = "lies under gravity",
+                    made = "is prepared already";
   // One column for each experiment; empty: it goes on.
   const std::vector<std::string> experiments{"oscillatory_shear", "dynamics", "jamming", "compression",
-                                             "uniaxial_compression", "slump"};
+                                             "uniaxial_compression", "slump", "preparation"};
   const std::map<std::string, std::vector<std::string>> matrix{
-      {"gel.h5", {"", "", microgel, microgel, microgel, microgel}},
-      {"package.h5", {"", "", microgel, microgel, microgel, microgel}},
-      {"jam.h5", {discs, "", "", "", periodic, ""}},
-      {"rigid.h5", {discs, "", "", "", periodic, ""}},
-      {"box.h5", {discs, "", walls, walls, "", ""}},
-      {"heap.h5", {discs, "", walls, walls, open, ""}}};
+      {"gel.h5", {"", "", microgel, microgel, microgel, microgel, made}},
+      {"package.h5", {"", "", microgel, microgel, microgel, microgel, made}},
+      {"jam.h5", {discs, "", "", "", periodic, "", made}},
+      {"rigid.h5", {discs, "", "", "", periodic, "", made}},
+      {"box.h5", {discs, "", walls, walls, "", "", made}},
+      {"heap.h5", {discs, "", walls, walls, open, "", made}}};
   for (const auto& [run_name, reasons] : matrix)
     for (const std::string& file : {run_name, exported(run_name)})
       for (std::size_t k = 0; k < experiments.size(); ++k) {

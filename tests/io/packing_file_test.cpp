@@ -16,6 +16,7 @@
 #include "supple/observe/contact_network.hpp"
 #include "tests/io/same_system.hpp"
 #include "tests/io/temporary_folder.hpp"
+#include "tests/paths.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple {

@@ -18,6 +18,7 @@ using testing::count_of;
 
 /// A viscoelastic answer of G' = 500 Pa, G'' = 200 Pa on an offset of 1000 Pa that drifts.
 OscillatoryPlot sample(int steps_per_period) {
+  StressEstimate virial{"virial", {}, 500, 200, -1, -1, 1020, 10 * 1000};
   OscillatoryPlot plot;
   plot.protocol = {1000, 0.2, 2, 3, 1};
   for (int i = 0; i <= 6 * steps_per_period; ++i) {
@@ -25,13 +26,10 @@ OscillatoryPlot sample(int steps_per_period) {
     const bool shear = periods >= 2 && periods <= 5;
     plot.time.push_back(periods / 1000);
     plot.strain.push_back(shear ? 0.2 * std::sin(phase) : 0);
-    plot.internal.stress.push_back((shear ? 100 * std::sin(phase) + 40 * std::cos(phase) : 0) + 1000 + 10 * periods);
+    virial.stress.push_back((shear ? 100 * std::sin(phase) + 40 * std::cos(phase) : 0) + 1000 + 10 * periods);
   }
-  plot.internal.storage = 500;
-  plot.internal.loss = 200;
-  plot.internal.offset = 1020;
-  plot.internal.drift = 10 * 1000;
-  plot.external = plot.internal;
+  plot.stresses = {virial, virial};
+  plot.stresses.front().name = "plates";
   return plot;
 }
 
@@ -46,7 +44,7 @@ TEST_F(PlotOscillatoryTest, DrawsEachCycleOnceAndInTheLegend) {
   const std::string svg = content_of(in_folder("a.svg"));
   EXPECT_EQ(count_of(svg, first_cycle), 2);
   EXPECT_EQ(count_of(svg, last_cycle), 2);
-  EXPECT_EQ(count_of(svg, "stroke-dasharray:4,2"), 2);  // the ellipse of the external stress
+  EXPECT_EQ(count_of(svg, "stroke-dasharray:4,2"), 2);  // the ellipse of the second stress
 }
 
 /// Coordinates of the longest path of this colour.
@@ -88,25 +86,25 @@ TEST_F(PlotOscillatoryTest, WritesEveryFormat) {
 
 TEST(PlotOscillatory, RefusesSeriesThatDoNotBelongTogether) {
   OscillatoryPlot plot = sample(50);
-  plot.external.stress.pop_back();
+  plot.stresses.back().stress.pop_back();
   try {
     plot_oscillatory("a.png", plot);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::input);
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("external stress"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("virial stress"));
   }
   EXPECT_THROW(plot_oscillatory("a.png", {}), Error);
 }
 
 TEST_F(PlotDynamicsTest, LeavesOutWhatIsNotThere) {
-  DynamicsPlot plot{{0, 1, 2}, {0, 0, 0}, {1, 2, 3}, {}, {}};
+  DynamicsPlot plot{{0, 1, 2}, {0, 0, 0}, {{"virial", {1, 2, 3}}}, {}};
   plot_dynamics(in_folder("rest.svg"), plot);
   plot.strain = {0, 0.1, 0.2};
   plot_dynamics(in_folder("shear.svg"), plot);
-  const char* internal = "stroke:rgb(26.666667%,46.666667%,66.666667%)";
-  EXPECT_EQ(count_of(content_of(in_folder("rest.svg")), internal), 1 + 1);   // against time, legend
-  EXPECT_EQ(count_of(content_of(in_folder("shear.svg")), internal), 2 + 2);  // and against strain
+  const char* first = "stroke:rgb(26.666667%,46.666667%,66.666667%)";
+  EXPECT_EQ(count_of(content_of(in_folder("rest.svg")), first), 1 + 1);   // against time, legend
+  EXPECT_EQ(count_of(content_of(in_folder("shear.svg")), first), 2 + 2);  // and against strain
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "tests/io/count_of.hpp"
 #include "tests/io/sample_scene.hpp"
 #include "tests/io/temporary_folder.hpp"
+#include "tests/paths.hpp"
 
 namespace supple {
 namespace {

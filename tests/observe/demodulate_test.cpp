@@ -10,6 +10,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "tests/paths.hpp"
 
 namespace supple {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "supple/contact/laws/particleshear.hpp"
 #include "supple/model/system.hpp"
+#include "tests/paths.hpp"
 #include "tests/support/gzip.hpp"
 
 namespace supple::testing {

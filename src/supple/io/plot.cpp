@@ -16,7 +16,7 @@ namespace supple {
 
 namespace {
 
-constexpr Color internal_color = line_palette[0], external_color = line_palette[1], rest_color = hex(0xF1F1F1);
+constexpr Color rest_color = hex(0xF1F1F1);
 constexpr Color first_cycle = hex(0xA8CBE8), last_cycle = hex(0x1B4F82);
 constexpr int ellipse_points = 181;
 
@@ -24,7 +24,7 @@ const ChartAxis time_axis{"Time", "s"};
 const ChartAxis strain_axis{"Strain \u03b3", "%"};
 const ChartAxis stress_axis{"Shear stress \u03c4", "Pa"};
 
-void check_length(const std::vector<double>& series, std::size_t length, const char* name) {
+void check_length(const std::vector<double>& series, std::size_t length, const std::string& name) {
   if (series.size() != length)
     throw input_error(fmt::format("cannot plot {}", name),
                       fmt::format("{} values for {} times", series.size(), length));
@@ -38,10 +38,12 @@ std::string with_error(double value, double error, const std::string& unit) {
          unit;
 }
 
-std::string moduli_line(const char* name, const StressEstimate& e) {
-  return fmt::format("{}:  G\u2032 = {},  G\u2033 = {}", name, with_error(e.storage, e.storage_error, "Pa"),
+std::string moduli_line(const StressEstimate& e) {
+  return fmt::format("{}:  G\u2032 = {},  G\u2033 = {}", e.name, with_error(e.storage, e.storage_error, "Pa"),
                      with_error(e.loss, e.loss_error, "Pa"));
 }
+
+Color color_of(std::size_t stress) { return line_palette[stress % std::size(line_palette)]; }
 
 ChartAxis stress_axis_of(const OscillatoryPlot& plot) {
   ChartAxis axis = stress_axis;
@@ -65,10 +67,9 @@ ChartColumn against_time(const OscillatoryPlot& plot) {
   strain.heading = {fmt::format("A = {:.4g}\u00a0%,  f = {}", 100 * p.amplitude,
                                 with_unit(p.frequency, "Hz"))};
   strain.weight = 0.6;
-  ChartPanel stress{time_axis, stress_axis_of(plot),
-                    {{"external forces", plot.time, plot.external.stress, {}, external_color, Marks::line, 0.8},
-                     {"internal (overall tensor)", plot.time, plot.internal.stress, {}, internal_color}},
-                    phases(plot)};
+  ChartPanel stress{time_axis, stress_axis_of(plot), {}, phases(plot)};
+  for (std::size_t k = plot.stresses.size(); k-- > 0;)  // the first on top
+    stress.series.push_back({plot.stresses[k].name, plot.time, plot.stresses[k].stress, {}, color_of(k)});
   for (ChartBand& band : stress.bands) band.label.clear();
   return {{strain, stress}, 1.3};
 }
@@ -106,17 +107,15 @@ ChartColumn lissajous(const OscillatoryPlot& plot) {
   ChartPanel panel{strain_axis, stress_axis_of(plot), {}};
   const double periods = std::min(std::ceil(plot.protocol.periods - 1e-9), static_cast<double>(plot.time.size()));
   const int cycles = std::max(1, whole_number<int>(periods, "cycles of the shear", "look at the run"));
-  for (int c = 0; c < cycles; ++c) panel.series.push_back(cycle_loop(plot, plot.internal, c, cycles));
-  ChartSeries internal = fitted_ellipse(plot.internal, plot.protocol.amplitude);
-  internal.label = moduli_line("internal", plot.internal);
-  internal.color = black;
-  internal.width = 1.2;
-  ChartSeries external = fitted_ellipse(plot.external, plot.protocol.amplitude);
-  external.label = moduli_line("external", plot.external);
-  external.color = external_color;
-  external.dash = {4, 2};
-  panel.series.push_back(std::move(internal));
-  panel.series.push_back(std::move(external));
+  for (int c = 0; c < cycles; ++c) panel.series.push_back(cycle_loop(plot, plot.stresses.front(), c, cycles));
+  for (std::size_t k = 0; k < plot.stresses.size(); ++k) {
+    ChartSeries ellipse = fitted_ellipse(plot.stresses[k], plot.protocol.amplitude);
+    ellipse.label = moduli_line(plot.stresses[k]);
+    ellipse.color = k == 0 ? black : color_of(k);
+    if (k == 0) ellipse.width = 1.2;
+    else ellipse.dash = {4, 2};
+    panel.series.push_back(std::move(ellipse));
+  }
   const double reach = 1.1 * plot.protocol.amplitude;
   panel.x.range = {-reach, reach};
   return {{panel}, 1};
@@ -126,10 +125,9 @@ ChartColumn lissajous(const OscillatoryPlot& plot) {
 
 void plot_oscillatory(const std::string& path, const OscillatoryPlot& plot) {
   const std::size_t n = plot.time.size();
-  if (n < 2) throw input_error("cannot plot '" + path + "'", "the run has no stress series");
+  if (n < 2 || plot.stresses.empty()) throw input_error("cannot plot '" + path + "'", "the run has no stress series");
   check_length(plot.strain, n, "strain");
-  check_length(plot.internal.stress, n, "internal stress");
-  check_length(plot.external.stress, n, "external stress");
+  for (const StressEstimate& e : plot.stresses) check_length(e.stress, n, e.name + " stress");
   draw_chart(path, {{against_time(plot), lissajous(plot)}});
 }
 
@@ -142,14 +140,12 @@ void plot_dynamics(const std::string& path, const DynamicsPlot& plot) {
 
   ChartPanel stress{time_axis, stress_axis, {}};
   ChartPanel loop{strain_axis, stress_axis, {}};
-  const auto add = [&](const char* name, const std::vector<double>& series, Color color) {
-    if (series.empty()) return;
-    check_length(series, n, name);
-    stress.series.push_back({name, plot.time, series, {}, color});
-    loop.series.push_back({name, plot.strain, series, {}, color});
-  };
-  add("external forces", plot.external, external_color);
-  add("internal (overall tensor)", plot.internal, internal_color);
+  for (std::size_t k = 0; k < plot.stresses.size(); ++k) {
+    const auto& [name, series] = plot.stresses[k];
+    check_length(series, n, name + " stress");
+    stress.series.push_back({name, plot.time, series, {}, color_of(k)});
+    loop.series.push_back({name, plot.strain, series, {}, color_of(k)});
+  }
 
   ChartColumn column{{}, 1.3};
   if (sheared) column.panels.push_back({time_axis, strain_axis, {{"", plot.time, plot.strain}}, {}, {}, 0.6});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/suspension.hpp"
 #include "supple/io/particle_colors.hpp"
 #include "supple/io/plot.hpp"
 
@@ -18,11 +19,32 @@ Protocol protocol_of(const RunFile& run) {
           constant("post_periods")};
 }
 
+/// A stress of the table, as columns and results name it, and as a legend does.
+struct StressName {
+  const char* key;
+  const char* legend;
+};
+/// Those that do not depend on where the cell is cut.
+constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"virial", "virial"}};
+constexpr StressName published_stresses[] = {{"internal", "internal (overall tensor)"}, {"external", "external forces"}};
+
+/// What the figure of a run shows: what its moduli are to be taken from, or, of the published program, what it draws.
+std::vector<StressName> drawn_stresses(const RunFile& run, const Case& c) {
+  if (is_package(c)) return {std::begin(published_stresses), std::end(published_stresses)};
+  std::vector<StressName> there;
+  for (const StressName& s : bulk_stresses)
+    for (const Column& column : run.columns(stress_table))
+      if (column.name == std::string("shear_stress_") + s.key) there.push_back(s);
+  return there;
+}
+
 /// Series and moduli as the run holds them; offset and drift, which it does not hold, from the series: the fit's, around
 /// which the cycles lie, whatever the stress was at rest.
-StressEstimate estimate(const RunFile& run, const std::string& name, const std::vector<double>& time,
+StressEstimate estimate(const RunFile& run, const StressName& of, const std::vector<double>& time,
                         const Protocol& protocol) {
+  const std::string name = of.key;
   StressEstimate e;
+  e.name = of.legend;
   e.stress = run.column(stress_table, "shear_stress_" + name);
   for (const RunValue& v : run.values("results")) {
     if (v.name.name == "storage_modulus_" + name) e.storage = v.value, e.storage_error = v.error;
@@ -59,17 +81,20 @@ void draw_run_snapshot(const std::string& path, const RunFile& run, std::int64_t
 void draw_run_plot(const std::string& path, const RunFile& run) {
   if (!run.has_table(stress_table)) throw input_error("cannot plot " + run.path(), "the run has no stress series");
   const std::vector<double> time = run.column(stress_table, "t"), strain = run.column(stress_table, "strain");
+  const Case c = run.resolved_case();
+  const std::vector<StressName> names = drawn_stresses(run, c);
   if (!run.find_value("results", "storage_modulus_internal")) {
-    plot_dynamics(path, {time, strain, run.column(stress_table, "shear_stress_internal"),
-                         run.column(stress_table, "shear_stress_external"), pressure(run)});
+    DynamicsPlot plot{time, strain, {}, pressure(run)};
+    for (const StressName& s : names)
+      plot.stresses.push_back({s.legend, run.column(stress_table, std::string("shear_stress_") + s.key)});
+    plot_dynamics(path, plot);
     return;
   }
   const Protocol protocol = protocol_of(run);
-  const Case c = run.resolved_case();
   const double scale = c.output.relative_y_scale_force * c.material.young_modulus;
-  plot_oscillatory(path, {time, strain, estimate(run, "internal", time, protocol),
-                          estimate(run, "external", time, protocol), protocol,
-                          scale > 0 ? std::optional(scale) : std::nullopt});
+  OscillatoryPlot plot{time, strain, {}, protocol, scale > 0 ? std::optional(scale) : std::nullopt};
+  for (const StressName& s : names) plot.stresses.push_back(estimate(run, s, time, protocol));
+  plot_oscillatory(path, plot);
 }
 
 std::int64_t draw_run_images(const std::string& folder, const std::string& ending, const RunFile& run,
