@@ -69,6 +69,26 @@ TEST_F(ChartTest, DrawsEachSeriesInEachPanelAndInItsLegend) {
   EXPECT_EQ(count_of(svg, "stroke:rgb(26.666667%,33.333333%,40%)"), 3 * 3 * 3);  // error bars: stem and two ends
 }
 
+/// Where the last glyph of the page begins [pt], and how wide the page is.
+std::pair<double, double> reach_and_width(const std::string& svg) {
+  double reach = 0;
+  const auto number_after = [&](std::size_t at, const std::string& key) {
+    return std::stod(svg.substr(svg.find(key, at) + key.size(), 20));
+  };
+  for (std::size_t at = svg.find("<use "); at != std::string::npos; at = svg.find("<use ", at + 1))
+    reach = std::max(reach, number_after(at, " x=\""));
+  return {reach, number_after(svg.find("<svg"), " width=\"")};
+}
+
+TEST_F(ChartTest, WritesALongLabelSmallerThanCutOff) {
+  Chart chart = sample();
+  chart.columns.back().panels.front().series.front().label = std::string(120, 'W');
+  draw_chart(in_folder("a.svg"), chart);
+  const auto [reach, width] = reach_and_width(content_of(in_folder("a.svg")));
+  EXPECT_GT(reach, 0.5 * width);
+  EXPECT_LT(reach, width);
+}
+
 TEST_F(ChartTest, WritesEveryFormatAndRefusesOthers) {
   for (const char* name : {"a.png", "a.jpg", "a.svg", "a.pdf", "a.ps"}) {
     draw_chart(in_folder(name), sample());

@@ -92,10 +92,16 @@ class PlacedPanel {
   }
 
   static constexpr double sample = 16, sample_gap = 4, entry_gap = 12;
+  /// A label that is wider than the panel is written smaller.
+  double label_size(const ChartSeries& s) const {
+    const double room = legend_width_ - sample - sample_gap;
+    return tick_size * std::min(1.0, room / canvas_.text_width(s.label, {.size = tick_size}));
+  }
   double entry_width(const ChartSeries& s) const {
-    return sample + sample_gap + canvas_.text_width(s.label, {.size = tick_size}) + entry_gap;
+    return sample + sample_gap + canvas_.text_width(s.label, {.size = label_size(s)}) + entry_gap;
   }
   void layout_legend(double width) {
+    legend_width_ = width;
     double used = width + 1;  // starts a row
     for (const ChartSeries* s : legend_) {
       if (used + entry_width(*s) - entry_gap > width) {
@@ -120,7 +126,7 @@ class PlacedPanel {
           canvas_.circle({x + sample / 2, y}, s->width, {s->color, {}});
         else
           canvas_.line({x, y}, {x + sample, y}, {s->color, std::max(s->width, 1.0), s->dash});
-        canvas_.text({x + sample + sample_gap, y}, s->label, {.size = tick_size, .down = Down::middle});
+        canvas_.text({x + sample + sample_gap, y}, s->label, {.size = label_size(*s), .down = Down::middle});
         x += entry_width(*s);
       }
       y += row_height;
@@ -191,6 +197,7 @@ class PlacedPanel {
   Canvas& canvas_;
   const ChartPanel& panel_;
   std::vector<const ChartSeries*> legend_;
+  double legend_width_ = 0;
   std::vector<std::vector<const ChartSeries*>> legend_rows_;
   double left_ = 0, right_ = 0, top_ = 0, bottom_ = 0;
   AxisScale x_, y_;

@@ -68,7 +68,7 @@ ChartColumn against_time(const OscillatoryPlot& plot) {
                                 with_unit(p.frequency, "Hz"))};
   strain.weight = 0.6;
   ChartPanel stress{time_axis, stress_axis_of(plot), {}, phases(plot)};
-  for (std::size_t k = plot.stresses.size(); k-- > 0;)  // the first on top
+  for (std::size_t k = 0; k < plot.stresses.size(); ++k)
     stress.series.push_back({plot.stresses[k].name, plot.time, plot.stresses[k].stress, {}, color_of(k)});
   for (ChartBand& band : stress.bands) band.label.clear();
   return {{strain, stress}, 1.3};
