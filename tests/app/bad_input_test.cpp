@@ -76,7 +76,7 @@ TEST_F(BadInput, LawsThatDivergeAttractOrAreNotFinite) {
   expect_refused(law + "\"k*(d0-d)*d0/d\"\n", 2, "diverges: 3.26");
   expect_refused(law + "\"-k*(d0-d)\"\n", 2, "attracts at d = ");
   expect_refused(law + "\"k*log(d-d0)\"\n", 2, "c.toml: [material] elastic_expression \"k*log(d-d0)\" is ");
-  expect_refused(law + "\"k*(d0-d\"\n", 2, "cannot be read (Missing parenthesis)");
+  expect_refused(law + "\"k*(d0-d\"\n", 2, "cannot be read (a bracket is opened and not closed)");
   expect_refused(law + "\"\"\n", 2, "without material.elastic_expression");
 }
 

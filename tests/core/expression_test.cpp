@@ -48,6 +48,40 @@ TEST(Expression, AssignmentIsRefused) {
     EXPECT_THAT(error_of(text), HasSubstr("a single = sets a variable")) << text;
 }
 
+/// What is wrong, what was meant, and no words of the library that reads formulas.
+TEST(Expression, SpellingsOfOtherLanguagesAreAnsweredWithOurs) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"t**2", "(there is no '**'); a power is written x^y"},
+      {"t > 1 and t < 2", "(there is no 'and'); write a && b"},
+      {"t > 1 or 1", "write a || b"},
+      {"not t", "write a == 0"},
+      {"True * t", "(there is no 'True'); write 1"},
+      {"2*t if t > 1 else 0", "(there is no 'if'); write condition ? a : b"},
+      {"pow(t, 2)", "a power is written x^y"},
+      {"fabs(t)", "did you mean 'abs'?"},
+      {"math.sin(t)", "functions have no module: sin(x)"},
+      {"2*[t+1]", "write ( ) around"},
+      {"t\u22121", "write a plain minus"},
+      {"2\u00d7t", "write * for times"},
+      {"2 t", "(nothing stands before 't'); write * for times"},
+      {"t(1+t)", "(nothing stands between 't' and its bracket); write * for times"},
+      {"2*(t+1", "(a bracket is opened and not closed)"},
+      {"2*t+", "it ends too early"},
+      {"t > 1 ? 2", "write condition ? a : b"},
+      {"2*T", "(there is no 'T'); did you mean 't'?"},
+      {"tnah(t)", "did you mean 'tanh'?"},
+      {"sin t", "write sin(x)"},
+      {"", "(it is empty); it may use t, pi"},
+      {"2 % t", "('%' cannot stand there); it may use t, pi"},
+      {"sin(t, 2)", "a function has too few or too many values"},
+  };
+  for (const auto& [text, answer] : cases) {
+    const std::string error = error_of(text);
+    EXPECT_THAT(error, HasSubstr(answer)) << text;
+    EXPECT_THAT(error, testing::Not(testing::HasSubstr("nexpected"))) << text;
+  }
+}
+
 TEST(Expression, AValueThatIsNotFiniteNamesTheFormulaAndTheTime) {
   EXPECT_THAT(error_of("1/t"), HasSubstr("[shear] rate \"1/t\" is infinite at t = 0"));
   EXPECT_THAT(error_of("-1/t"), HasSubstr("is minus infinite at t = 0"));

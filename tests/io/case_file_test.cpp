@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -78,9 +79,13 @@ TEST(CaseFile, WrongType) {
             "discs); "
             "write 150");
   EXPECT_THAT(error_of("[particles]\nN = \"150\"\n"),
-              HasSubstr("must be an integer, not a string (\"150\")"));
+              HasSubstr("must be an integer, not a string (\"150\") (number of discs); write 150"));
   EXPECT_THAT(error_of("[particles]\npermanent_links = 1\n"),
               HasSubstr("must be true or false, not an integer (1)"));
+  EXPECT_THAT(error_of("[particles]\npermanent_links = \"True\"\n"), HasSubstr("; write true"));
+  EXPECT_THAT(error_of("", {"particles.permanent_links=No"}), HasSubstr("; write false"));
+  EXPECT_THAT(error_of("", {"seed=18446744073709551615"}), HasSubstr("; integers go up to 9223372036854775807"));
+  EXPECT_THAT(error_of("[shear]\namplitude = \"0,2\"\n"), HasSubstr("; write 0.2, without quotes"));
   EXPECT_THAT(error_of("[material]\nslip = 1\n"), HasSubstr("must be a string, not an integer (1)"));
   EXPECT_THAT(error_of("[material]\nfriction = [1]\n"), HasSubstr("must be a number, not a list"));
   EXPECT_THAT(error_of("[material]\nfriction = true\n"),
@@ -164,6 +169,10 @@ TEST(CaseFile, OverridesWinAndNeedNoQuotes) {
   EXPECT_TRUE(c.is_given("shear.rate"));
 }
 
+TEST(CaseFile, OverridesMayHaveSpacesAroundTheSign) {
+  EXPECT_EQ(read_case_text("", "c.toml", {"shear.amplitude = 0.3"}).shear.amplitude, 0.3);
+}
+
 TEST(CaseFile, ErrorsInOverridesNameThem) {
   EXPECT_EQ(error_of("", {"material.fricton=0.3"}),
             "--set material.fricton=0.3: unknown key 'fricton' in [material]; did you mean 'friction'?");
@@ -184,6 +193,20 @@ TEST(CaseFile, RelativePathsAreRelativeToTheCase) {
   EXPECT_EQ(read_case_text("[initial]\nstate = \"/s.json\"\n", "some/where/c.toml").initial.state, "/s.json");
   EXPECT_EQ(read_case_text("", "some/where/c.toml").initial.state, "");
   EXPECT_EQ(read_case_text("", "some/where/c.toml", {"initial.state=s.json"}).initial.state, "s.json");
+}
+
+TEST(CaseFile, ARunInPlaceOfACaseIsSaidToBeOne) {
+  const std::string path = testing::TempDir() + "run_as_case.h5";
+  std::ofstream(path) << "\x89HDF\r\n\x1a\n";
+  try {
+    read_case(path);
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::input);
+    EXPECT_THAT(e.what(), HasSubstr("is a run, not a case"));
+    EXPECT_THAT(e.what(), HasSubstr("; supple show " + path));
+  }
+  std::remove(path.c_str());
 }
 
 TEST(CaseFile, UnreadableFilesAreFileErrors) {

@@ -51,8 +51,28 @@ TEST(Quantity, ErrorsSayWhatIsWrong) {
   EXPECT_THAT(error_of("5 kg", "m"), HasSubstr("wrong dimension, 'kg' is no multiple of m"));
   EXPECT_THAT(error_of("5 um/s", "m"), HasSubstr("wrong dimension"));
   EXPECT_THAT(error_of("5 furlong", "m"), HasSubstr("unknown unit 'furlong'"));
-  EXPECT_THAT(error_of("5", "m"), HasSubstr("without a unit"));
+  EXPECT_THAT(error_of("1e999 m", "m"), HasSubstr("not a number"));
   EXPECT_THAT(error_of("0.1 m", ""), HasSubstr("a unit where none is expected"));
+}
+
+TEST(Quantity, QuotedNumbersAreAnsweredWithTheNumber) {
+  EXPECT_THAT(error_of("0.2", ""), HasSubstr("\"0.2\" is text, not a number; write 0.2, without quotes"));
+  EXPECT_THAT(error_of("0,2", ""), HasSubstr("write 0.2, without quotes"));
+  EXPECT_THAT(error_of("5", "m"), HasSubstr("write 5, in m, without quotes"));
+  EXPECT_THAT(error_of(".5 mm", "m"), testing::StrEq("no error"));
+  EXPECT_THAT(error_of("0,5 mm", "m"), HasSubstr("write \"0.5 mm\""));
+}
+
+TEST(Quantity, UnknownUnitsAreAnsweredWithUnitsOfTheRightDimension) {
+  EXPECT_THAT(error_of("8 kpa", "Pa"), HasSubstr("unknown unit 'kpa'; did you mean \"8 kPa\"?"));
+  EXPECT_THAT(error_of("8 KPa", "Pa"), HasSubstr("did you mean \"8 kPa\"?"));
+  EXPECT_THAT(error_of("8 mpa", "Pa"), HasSubstr("did you mean \"8 mPa\" or \"8 MPa\"?"));
+  EXPECT_THAT(error_of("8 Pascal", "Pa"), HasSubstr("did you mean \"8 Pa\"?"));
+  EXPECT_THAT(error_of("1000 kg/m3", "kg/m^3"), HasSubstr("did you mean \"1000 kg/m^3\"?"));
+  EXPECT_THAT(error_of("1000 Kg/M3", "kg/m^3"), HasSubstr("did you mean \"1000 kg/m^3\"?"));
+  EXPECT_THAT(error_of("500 µM", "m"), HasSubstr("did you mean \"500 µm\"?"));
+  EXPECT_THAT(error_of("5 hz", "1/s"), HasSubstr("did you mean \"5 Hz\"?"));
+  EXPECT_THAT(error_of("5 furlong", "m"), HasSubstr("write a number in m, or \"500 um\""));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/expression_mistake.hpp"
 
 namespace supple {
 
@@ -36,11 +37,11 @@ std::string named_value(double value) {
 
 Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::string& what)
     : parser_(std::make_unique<Parser>()), name_(what + " \"" + text + "\""), variables_(variables) {
-  const auto refuse = [&](const std::string& why) {
-    throw input_error(name_ + " cannot be read", why,
-                      fmt::format("it may use {}, pi, numbers such as 0.5, + - * / ^, comparisons, c ? a : b, and "
-                                  "functions such as sin, exp, sqrt",
-                                  fmt::join(variables, ", ")));
+  const auto refuse = [&](const std::string& why, const std::string& to_do = {}) {
+    const std::string grammar = fmt::format(
+        "it may use {}, pi, numbers such as 0.5, + - * / ^, comparisons, c ? a : b, and functions such as sin, exp, sqrt",
+        fmt::join(variables, ", "));
+    throw input_error(name_ + " cannot be read", why, to_do.empty() ? grammar : to_do);
   };
   if (assigns(text)) refuse("a single = sets a variable; == compares");
   parser_->values.assign(variables.size(), 0.5);
@@ -52,7 +53,11 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
     parser.SetExpr(text);
     parser.Eval(results);
   } catch (const mu::Parser::exception_type& e) {
-    refuse(e.GetMsg());
+    std::vector<std::string> names = variables;
+    names.emplace_back("pi");
+    for (const auto& [name, function] : parser.GetFunDef()) names.push_back(name);
+    const ExpressionMistake mistake = find_mistake(text, e, names);
+    refuse(mistake.why, mistake.to_do);
   }
   if (results != 1)
     refuse(fmt::format("it is {} formulas with commas between them; decimals have a point: 0.5", results));

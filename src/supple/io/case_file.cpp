@@ -11,6 +11,7 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/io/path_kind.hpp"
 #include "supple/io/quantity.hpp"
+#include "supple/io/toml_mistake.hpp"
 
 namespace supple {
 
@@ -205,13 +206,9 @@ class Reader {
     double value = 0;
     if (const auto* s = node.as_string()) {
       try {
-        value = parse_quantity(s->get(), field.unit);
+        value = parse_quantity(s->get(), field.unit, std::string(field.meaning));
       } catch (const Error& e) {
-        const std::string_view example = example_quantity(field.unit);
-        const std::string unit = field.unit.empty() ? "" : fmt::format(" in {}", field.unit);
-        report(node.source(), fmt::format("{}: {}", name, e.what()), std::string(field.meaning),
-               fmt::format("write a number{}{}", unit,
-                           example.empty() ? "" : fmt::format(", or \"{}\"", example)));
+        report(node.source(), fmt::format("{}: {}", name, e.what()));
         return false;
       }
     } else if (const auto number = node.value_exact<double>()) {
@@ -231,9 +228,8 @@ class Reader {
   bool assign(Integer& target, const F& field, const std::string& name, const toml::node& node) {
     const auto value = node.value_exact<std::int64_t>();
     if (!value) {
-      const auto real = node.value_exact<double>();
-      const bool whole = real && *real == std::floor(*real) && std::abs(*real) < 1e15;
-      return wrong_type(field, name, node, "an integer", whole ? fmt::format("write {:.0f}", *real) : "");
+      const auto* text = node.as_string();
+      return wrong_type(field, name, node, "an integer", how_to_write_integer(text ? text->get() : shown(node)));
     }
     if (!in_range(static_cast<double>(*value), within<Integer>(field), name, node)) return false;
     target = static_cast<Integer>(*value);
@@ -243,7 +239,11 @@ class Reader {
   template <class F>
   bool assign(bool& target, const F& field, const std::string& name, const toml::node& node) {
     const auto value = node.value_exact<bool>();
-    if (!value) return wrong_type(field, name, node, "true or false");
+    if (!value) {
+      const auto* text = node.as_string();
+      const auto meant = text ? meant_truth(text->get()) : std::nullopt;
+      return wrong_type(field, name, node, "true or false", meant ? fmt::format("write {}", *meant) : "");
+    }
     target = *value;
     return true;
   }
@@ -305,7 +305,9 @@ void apply_override(Case& c, const std::string& text) {
   if (equals == text.npos || equals == 0)
     throw input_error(fmt::format("--set {}: not of the form section.key=value", text), "",
                       "write for example --set material.friction=0.3");
-  const std::string_view name = std::string_view(text).substr(0, equals);
+  std::string_view name = std::string_view(text).substr(0, equals);
+  while (name.starts_with(' ')) name.remove_prefix(1);
+  while (name.ends_with(' ')) name.remove_suffix(1);
   const auto dot = name.find('.');
   const std::string_view section = dot == name.npos ? "" : name.substr(0, dot);
   const std::string_view key = dot == name.npos ? name : name.substr(dot + 1);
@@ -324,7 +326,9 @@ Case read_case_text(const std::string& text, const std::string& name,
   try {
     reader.read(toml::parse(std::string_view(text), std::string_view(name)));
   } catch (const toml::parse_error& e) {
-    reader.report(e.source(), "this is not valid TOML", std::string(e.description()));
+    TomlMistake mistake = find_toml_mistake(text, e.source().begin.line);
+    if (mistake.why.empty()) mistake.why = fmt::format("the reader of TOML says: {}", e.description());
+    reader.report(e.source(), "this is not valid TOML", mistake.why, mistake.to_do);
   }
   reader.finish();
   for (auto* path : {&c.initial.state, &c.initial.packing})
@@ -335,7 +339,11 @@ Case read_case_text(const std::string& text, const std::string& name,
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
   constexpr std::size_t longest = 16 << 20;
-  return read_case_text(read_whole_file(path, "the case", longest), path, overrides);
+  const std::string text = read_whole_file(path, "the case", longest);
+  if (text.starts_with("\x89HDF"))
+    throw input_error(fmt::format("'{}' is a run, not a case", path), "a case is a text of keys and values",
+                      fmt::format("supple show {} prints what it holds", path));
+  return read_case_text(text, path, overrides);
 }
 
 }  // namespace supple

@@ -127,7 +127,9 @@ Group create_file(const std::string& path) {
 Group open_file(const std::string& path) {
   check_can_read(path, "the run");
   const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
-  if (is_hdf5 == 0) throw file_error(path + " is not an HDF5 file");
+  if (is_hdf5 == 0)
+    throw file_error(path + " is not an HDF5 file", "runs are",
+                     path.ends_with(".toml") ? "supple run " + path + " makes a run of this case" : "");
   const Object file(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "read", path));
   return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", path));
 }

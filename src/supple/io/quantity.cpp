@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "supple/core/error.hpp"
+#include "supple/core/meant_number.hpp"
 
 namespace supple {
 
@@ -130,25 +134,105 @@ double scaled_number(std::string_view digits, int power) {
   return leading_number(fmt::format("{}e{}", digits, power)).value().value;
 }
 
+/// What to write where nothing better is known.
+std::string want_number(std::string_view unit) {
+  const std::string_view example = example_quantity(unit);
+  return fmt::format("write a number{}{}{}", unit.empty() ? "" : " in ", unit,
+                     example.empty() ? "" : fmt::format(", or \"{}\"", example));
+}
+
+/// A decimal comma, a missing zero or an unknown sign before a unit.
+Error not_a_quantity(std::string_view text, std::string_view unit, const std::string& why) {
+  const auto end = text.find_first_not_of("+-0123456789.,eE\u2212");
+  const auto meant = meant_number(text.substr(0, end));
+  return input_error(fmt::format("\"{}\" is not a number", text), why,
+                     meant && end != text.npos ? fmt::format("write \"{} {}\"", *meant, trim(text.substr(end)))
+                                               : want_number(unit));
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+/// Spellings of a factor such as "kpa", "m3", "Pascal" or "µM" that are units.
+std::vector<std::string> meant_factors(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> words[] = {
+      {"pascal", "Pa"}, {"metre", "m"},  {"meter", "m"}, {"second", "s"},       {"sec", "s"},      {"newton", "N"},
+      {"gram", "g"},    {"joule", "J"},  {"hertz", "Hz"}, {"percent", "%"},     {"degrees", "degree"},
+      {"micron", "um"}, {"minutes", "s"}};
+  const auto end = text.find_first_of("^-0123456789");
+  std::string power(end == text.npos ? "" : text.substr(end));
+  if (!power.empty() && power.front() != '^') power = "^" + power;
+  const std::string name = lower(text.substr(0, end));
+  std::vector<std::string> out;
+  const auto offer = [&](const std::string& unit) {
+    if (const std::string factor = unit + power; parse_factor(factor)) out.push_back(factor);
+  };
+  for (const NamedUnit& u : units) {
+    if (name == lower(u.name)) offer(std::string(u.name));
+    for (const Prefix& p : prefixes)
+      if (const std::string both = fmt::format("{}{}", p.name, u.name); u.name != "1" && name == lower(both)) offer(both);
+  }
+  for (const auto& [word, unit] : words)
+    if (name == word || name == fmt::format("{}s", word)) offer(std::string(unit));
+  return out;
+}
+
+/// Units of the wanted dimension that `written` may have been meant to be, factor by factor.
+std::vector<std::string> meant_units(std::string_view written, const Unit& wanted) {
+  std::vector<std::string> out{""};
+  while (!written.empty()) {
+    const auto end = std::min(written.find_first_of(" */"), written.size());
+    const std::string_view factor = written.substr(0, end);
+    const std::vector<std::string> spellings =
+        factor.empty() || parse_factor(factor) ? std::vector{std::string(factor)} : meant_factors(factor);
+    std::vector<std::string> longer;
+    for (const std::string& begin : out)
+      for (const std::string& spelling : spellings) longer.push_back(begin + spelling + std::string(written.substr(end, 1)));
+    out = std::move(longer);
+    written.remove_prefix(std::min(end + 1, written.size()));
+  }
+  std::erase_if(out, [&](const std::string& unit) {
+    const auto found = parse_unit(unit);
+    return !found || found->dimension != wanted.dimension;
+  });
+  return out;
+}
+
+Error unknown_unit(std::string_view text, std::string_view digits, std::string_view written, std::string_view unit,
+                   const Unit& wanted, const std::string& why) {
+  std::string offers;
+  for (const std::string& meant : meant_units(written, wanted))
+    offers += fmt::format("{}\"{} {}\"", offers.empty() ? "" : " or ", digits, meant);
+  return input_error(fmt::format("\"{}\" has the unknown unit '{}'", text, written), why,
+                     offers.empty() ? want_number(unit) : "did you mean " + offers + "?");
+}
+
 }  // namespace
 
-double parse_quantity(std::string_view text, std::string_view unit) {
+double parse_quantity(std::string_view text, std::string_view unit, const std::string& why) {
   text = trim(text);
+  if (const auto meant = meant_number(text))
+    throw input_error(fmt::format("\"{}\" is text, not a number", text), why,
+                      fmt::format("write {}{}{}, without quotes", *meant, unit.empty() ? "" : ", in ", unit));
   const auto number = leading_number(text);
-  if (!number) throw input_error(fmt::format("\"{}\" is not a number", text));
+  if (!number || number->rest.starts_with(',')) throw not_a_quantity(text, unit, why);
   const auto& [value, digits, written] = *number;
 
   if (written == unit && !unit.empty()) return value;
   if (unit.empty() && written == "%") return scaled_number(digits, -2);
   const auto wanted = parse_unit(unit);
   if (!wanted || unit.empty())
-    throw input_error(fmt::format("\"{}\" has a unit where none is expected", text));
-  if (written.empty()) throw input_error(fmt::format("\"{}\" is a string without a unit", text));
+    throw input_error(fmt::format("\"{}\" has a unit where none is expected", text), why,
+                      fmt::format("write a number{}{}", unit.empty() ? "" : " in ", unit));
   const auto found = parse_unit(written);
-  if (!found) throw input_error(fmt::format("\"{}\" has the unknown unit '{}'", text, written));
+  if (!found) throw unknown_unit(text, digits, written, unit, *wanted, why);
   if (found->dimension != wanted->dimension)
     throw input_error(
-        fmt::format("\"{}\" has the wrong dimension, '{}' is no multiple of {}", text, written, unit));
+        fmt::format("\"{}\" has the wrong dimension, '{}' is no multiple of {}", text, written, unit), why,
+        want_number(unit));
   return scaled_number(digits, found->power - wanted->power);
 }
 
