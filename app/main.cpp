@@ -10,6 +10,7 @@
 #include <string>
 #include <system_error>
 
+#include "command_line.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 
@@ -47,8 +48,10 @@ void add_case(CLI::App& c, Options& o) {
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)
       ->take_all();
-  c.add_option("--threads", o.choice.threads, "Threads; results do not depend on them")
-      ->check(CLI::Range(1, 1024));
+  c.add_option_function<std::string>(
+       "--threads", [&o](const std::string& n) { o.choice.threads = command::whole_number("--threads", n, 1, 1024); },
+       "Threads, from 1 to 1024; results do not depend on them")
+      ->type_name("N");
 }
 void add_run(CLI::App& c, Options& o) {
   c.add_option("run", o.run, "Run to read (HDF5), finished or not")->required()->type_name("RUN.h5");
@@ -66,7 +69,9 @@ void add_case_commands(CLI::App& app, Options& o) {
       ->type_name("EXPERIMENT");
   init->add_option("--physics", o.physics, "With dynamics: deformable, for polygons instead of microgel discs")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"documented", "particleshear-1.0.2", "deformable"}));
+      ->each([](const std::string& name) {
+        command::check_choice("--physics", name, {"documented", "particleshear-1.0.2", "deformable"});
+      });
   add_output(*init, o, "Case to write; - for the screen (default: EXPERIMENT.toml)");
   init->callback([&] { command::init(o.experiment, o.physics, o.output, o.existing()); });
 
@@ -104,16 +109,25 @@ void add_run_commands(CLI::App& app, Options& o) {
       ->add_option("--to", o.to,
                    "csv: tables; text: the published text format; state: final state of discs as JSON; packing: of "
                    "deformable particles; xyz, vtp: all frames for OVITO, ParaView")
-      ->check(CLI::IsMember({"csv", "text", "state", "packing", "xyz", "vtp"}))
+      ->type_name("FORMAT")
+      ->each([](const std::string& name) {
+        command::check_choice("--to", name, {"csv", "text", "state", "packing", "xyz", "vtp"});
+      })
       ->capture_default_str();
   add_output(*exporting, o, "File to write; - for standard output (default: the name of the run with .csv, .txt, _state.json, ...)");
   exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing()); });
 
   CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: particles and their contacts");
   add_run(*snapshot, o);
-  snapshot->add_option("--frame", o.frame,
-                       "Which frame, from 0; negative: from the end (default: the most sheared; deformable "
-                       "particles: the last)");
+  snapshot
+      ->add_option_function<std::string>(
+          "--frame",
+          [&o](const std::string& n) {
+            constexpr int most = std::numeric_limits<int>::max();
+            o.frame = command::whole_number("--frame", n, -most, most);
+          },
+          "Which frame, from 0; negative: from the end (default: the most sheared; deformable particles: the last)")
+      ->type_name("N");
   snapshot->add_option("--color", o.color,
                        "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
                        "id, those that touch differ)")
@@ -126,6 +140,17 @@ void add_run_commands(CLI::App& app, Options& o) {
   add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_stress.png, RUN_pressure.png, "
               "...)");
   plot->callback([&] { command::plot(o.run, o.output, o.existing()); });
+}
+
+/// Reads the command line and does what it says.
+void parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ParseError& e) {
+    throw command::explain(app, e);
+  }
 }
 
 int obey(int argc, char** argv) {
@@ -141,9 +166,13 @@ int obey(int argc, char** argv) {
     return static_cast<int>(supple::ErrorKind::input);
   }
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : static_cast<int>(supple::ErrorKind::input);
+    if (const auto help = command::help_asked_for(app, {argv + 1, argv + argc})) {
+      std::fputs(help->c_str(), stdout);
+      return 0;
+    }
+    parse(app, argc, argv);
+  } catch (const CLI::Success& asked) {  // for help or the version
+    return app.exit(asked);
   } catch (const supple::Error& e) {
     std::fprintf(stderr, "supple: %s\n", e.what());
     return e.exit_code();
