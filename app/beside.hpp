@@ -9,6 +9,10 @@
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 
+namespace supple {
+class RunFile;
+}
+
 namespace supple::command {
 
 /// "out/a.h5" and "_cell.png": "out/a_cell.png".
@@ -21,6 +25,10 @@ std::string export_path(const std::string& run, const std::string& to);
 
 /// Throws where what is made of a run may not be written to `file`: it is there, or it is the run itself.
 void check_output_of(const std::string& run_path, const std::string& file, Existing existing);
+
+enum class Warnings { shown, hidden };
+/// What `show` prints of a run, or its JSON, which always has the warnings.
+std::string summarize(const RunFile& run, Format format, Warnings warnings);
 
 /// The state that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);

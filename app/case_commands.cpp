@@ -10,6 +10,7 @@
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/cost.hpp"
@@ -193,13 +194,19 @@ void check(const CaseChoice& choice, Format format) {
   }
   fmt::print("{}: sound\n{} of {}, seed {}\n\n", choice.path, c.general.experiment,
              describe_matter(c, initial, derived), c.general.seed);
-  for (const Derived& d : derived)
-    fmt::print("  {:<22} {:>12.6g} {:<8} {}\n", d.name.name, d.value, d.name.unit, d.name.meaning);
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> meanings;
+  const auto add = [&](const std::string& name, const std::string& value, const std::string& unit,
+                       const std::string& meaning) {
+    rows.push_back({name, fmt::format("{:>12} {}", value, unit)});
+    meanings.push_back(meaning);
+  };
+  for (const Derived& d : derived) add(d.name.name, fmt::format("{:.6g}", d.value), d.name.unit, d.name.meaning);
   if (steps || evaluations)
-    fmt::print("  {:<22} {:>12} {:<8} {}\n", "time to run",
-               describe_seconds(estimate), "", steps ? "without preparation, roughly" : "within a factor of about two");
-  for (const std::string& doubt : doubts) fmt::print("\nwarning: {}", doubt);
-  if (!doubts.empty()) fmt::print("\n");
+    add("time to run", describe_seconds(estimate), "",
+        steps ? "without preparation, roughly" : "within a factor of about two");
+  for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", table_row(rows[i], widths_of(rows), meanings[i]));
+  for (const std::string& doubt : doubts) fmt::print("\n{}", hang_words("", "warning: " + doubt, 0));
 }
 
 void list(const std::string& section, Format format) {

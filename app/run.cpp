@@ -6,10 +6,13 @@
 #include <filesystem>
 #include <iostream>
 #include <tuple>
+#include <vector>
 
 #include "beside.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
+#include "supple/core/nearest_name.hpp"
+#include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/body_pictures.hpp"
 #include "supple/io/case_file.hpp"
@@ -90,11 +93,12 @@ void check_outputs(const Case& c, const std::string& case_path, const std::strin
                      "remove it, choose another name with -o, or give --force");
 }
 
-/// A run that is complete stays so where it has too little for a picture.
+/// Draws, and adds the name of the picture to `written`. A run that is complete stays so where it has too little for one.
 template <class Draw>
-void draw_or_warn(const std::string& what, Draw&& draw) {
+void draw_or_warn(const std::string& what, std::vector<std::string>& written, Draw&& draw) {
   try {
     draw();
+    written.push_back(what);
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::file) throw;
     fmt::print(stderr, "warning: {} not drawn: {}\n", what, e.what());
@@ -110,11 +114,20 @@ void draw_images_of(const Case& c, const std::string& run, CommandRecorder& reco
   recorder.end_progress();
 }
 
-void write_beside(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
-  if (draws_plot(c)) draw_or_warn(plot_path(run, c), [&] { plot(run, "", existing); });
-  if (c.output.snapshot) draw_or_warn(snapshot_path(run), [&] { snapshot(run, std::nullopt, "", "", existing); });
-  if (c.output.text) export_run(run, "text", "", existing);
-  if (c.output.images > 0) draw_or_warn(images_folder(run), [&] { draw_images_of(c, run, recorder); });
+/// Writes what [output] asks for beside the run; returns the names.
+std::vector<std::string> write_beside(const Case& c, const std::string& run, Existing existing,
+                                      CommandRecorder& recorder) {
+  std::vector<std::string> written;
+  if (draws_plot(c)) draw_or_warn(plot_path(run, c), written, [&] { plot(run, "", existing); });
+  if (c.output.snapshot)
+    draw_or_warn(snapshot_path(run), written, [&] { snapshot(run, std::nullopt, "", "", existing); });
+  if (c.output.text) {
+    export_run(run, "text", "", existing);
+    written.push_back(export_path(run, "text"));
+  }
+  if (c.output.images > 0)
+    draw_or_warn(images_folder(run) + "/", written, [&] { draw_images_of(c, run, recorder); });
+  return written;
 }
 
 void heed_signals() {
@@ -141,11 +154,18 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   } catch (const Error& e) {
     recorder.end_progress();
     recorder.finish(e.kind() == ErrorKind::interrupted ? "interrupted" : std::string("failed: ") + e.what());
-    if (recorder.began()) throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
+    if (recorder.began() && RunFile(file).frames() > 0)
+      throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
     throw;
   }
-  write_beside(c, file, existing, recorder);
-  show(file, format);
+  std::vector<std::string> written = write_beside(c, file, existing, recorder);
+  written.insert(written.begin(), file);
+  const std::string names = hang_words("wrote", join_names(written, ""), 6);
+  NewFile screen(std::string(standard_output), existing);
+  screen.write(summarize(RunFile(file), format, Warnings::hidden));  // they stood there as they came
+  if (format == Format::text) screen.write("\n" + names);
+  else fmt::print(stderr, "{}", names);
+  screen.commit();
 }
 
 }  // namespace supple::command

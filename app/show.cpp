@@ -6,6 +6,7 @@
 
 #include "beside.hpp"
 #include "commands.hpp"
+#include "supple/core/text_columns.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/io/uncertainty.hpp"
 
@@ -99,10 +100,11 @@ void add_moduli(std::string& text, const std::vector<RunValue>& results) {
   };
   const std::vector<std::string> names = estimators(results);
   if (names.empty()) return;
-  text += fmt::format("\n  {:<20} {:<20} {:<20} {}\n", "stress", "G'", "G''", "third harmonic");
+  std::vector<std::vector<std::string>> rows{{"stress", "G'", "G''", "third harmonic"}};
   for (const std::string& name : names)
-    text += fmt::format("  {:<20} {:<20} {:<20} {}\n", name, of(std::string(storage) + name),
-                        of("loss_modulus_" + name), of("third_harmonic_" + name));
+    rows.push_back({name, of(std::string(storage) + name), of("loss_modulus_" + name), of("third_harmonic_" + name)});
+  text += "\n";
+  for (const auto& row : rows) text += table_row(row, widths_of(rows), "");
 }
 
 /// Numbers that do not belong to one estimator.
@@ -112,15 +114,15 @@ void add_values(std::string& text, const std::vector<RunValue>& values) {
     return std::any_of(names.begin(), names.end(),
                        [&](const auto& name) { return value.ends_with("_" + name); });
   };
-  std::size_t name = 31, value = 20;  // widths
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> meanings;
   for (const RunValue& v : values) {
-    name = std::max(name, v.name.name.size());
-    value = std::max(value, with_error(v).size());
+    if (belongs(v.name.name)) continue;
+    rows.push_back({v.name.name, with_error(v)});
+    meanings.push_back(v.name.meaning);
   }
   text += "\n";
-  for (const RunValue& v : values)
-    if (!belongs(v.name.name))
-      text += fmt::format("  {:<{}} {:<{}} {}\n", v.name.name, name, with_error(v), value, v.name.meaning);
+  for (std::size_t i = 0; i < rows.size(); ++i) text += table_row(rows[i], widths_of(rows), meanings[i]);
 }
 
 std::string summary_of_discs(const RunFile& run) {
@@ -128,8 +130,9 @@ std::string summary_of_discs(const RunFile& run) {
   const RunInfo info = run.info();
   const Vec2 cell = info.units.length * 1e6 * info.box.length;
   text += fmt::format("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
-  text += fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}\n", info.radius.size(),
-                      particle_count(info), cell[0], cell[1], run.seed(), run.version());
+  text += hang_words("", fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}",
+                                     info.radius.size(), particle_count(info), cell[0], cell[1], run.seed(),
+                                     run.version()), 0);
   const std::vector<RunValue> results = run.values("results");
   add_moduli(text, results);
   add_values(text, results.empty() ? run.values("constants") : results);
@@ -148,8 +151,8 @@ std::string summary_of_bodies(const RunFile& run) {
   if (count.polygons > 0)
     what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
   text += fmt::format("{}: {}, {}\n", run.path(), run.experiment(), run.status());
-  text += fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}\n", what, at_end[0], at_end[1], run.seed(),
-                      run.version());
+  text += hang_words("", fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}", what, at_end[0], at_end[1],
+                                     run.seed(), run.version()), 0);
   const std::vector<RunValue> results = run.values("results");
   add_values(text, results.empty() ? run.values("constants") : results);
   return text;
@@ -157,14 +160,17 @@ std::string summary_of_bodies(const RunFile& run) {
 
 }  // namespace
 
+std::string summarize(const RunFile& run, Format format, Warnings warnings) {
+  if (format == Format::json) return json_summary(run);
+  std::string text = is_deformable(run.resolved_case()) ? summary_of_bodies(run) : summary_of_discs(run);
+  if (warnings == Warnings::shown)
+    for (const std::string& warning : run.warnings()) text += "\n" + hang_words("", "warning: " + warning, 0);
+  return text;
+}
+
 void show(const std::string& run_path, Format format, const std::string& path, Existing existing) {
   check_output_of(run_path, path, existing);
-  const RunFile run(run_path);
-  std::string text = format == Format::json              ? json_summary(run)
-                     : is_deformable(run.resolved_case()) ? summary_of_bodies(run)
-                                                          : summary_of_discs(run);
-  if (format == Format::text)
-    for (const std::string& warning : run.warnings()) text += fmt::format("\nwarning: {}\n", warning);
+  const std::string text = summarize(RunFile(run_path), format, Warnings::shown);
   NewFile file(path, existing);
   file.write(text);
   file.commit();
