@@ -234,6 +234,11 @@ TEST(AllImages, CellsInWhichANeighbourIsMetOnTwoSidesAreRefused) {
     system.box.periodic = {false, false};  // walls have no images
     EXPECT_EQ(complaint_of(system), "");
   }
+  System<2> flat = discs_anywhere(4, 1, {12, 3}, 0, 1);
+  for (double& r : flat.state.radius) r = 1;
+  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("the period of the cell along y is 0.75 of the least"))
+      << "a length would need its unit";
+  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("; take a larger cell"));
   System<2> alone = discs_anywhere(1, 1, {2.1, 2.1}, 0, 1);
   EXPECT_EQ(complaint_of(alone), "");  // a single disc has no neighbour
   alone.box.length = {1.3, 2.1};

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "supple/contact/sites_inside.hpp"
 #include "supple/core/random.hpp"
 #include "tests/support/probe.hpp"
+#include "tests/support/sites_inside.hpp"
 
 namespace supple {
 namespace {
@@ -145,10 +145,10 @@ TEST(SmoothContacts, GoOnSmoothlyWhereAVertexCrossesAnEdge) {
         const double h = 1e-7;
         const Vec2 before = probe.force(at + h * outward);
         const double above = probe.energy(at + h * outward);
-        EXPECT_TRUE(probe.contacts().sites_inside().empty());
+        EXPECT_TRUE(find_sites_inside(probe.system()).empty());
         const Vec2 after = probe.force(at - h * outward);
-        EXPECT_EQ(probe.contacts().sites_inside(),
-                  (std::vector<std::int32_t>{static_cast<std::int32_t>(ring.size())}));
+        EXPECT_EQ(find_sites_inside(probe.system()),
+                  (std::vector<SiteInside>{{static_cast<std::int32_t>(ring.size()), 0}}));
         EXPECT_NEAR(probe.energy(at - h * outward), above, 1e-5);
         EXPECT_LT(norm(after - before), 1e-4) << "edge " << k << " at " << t;
       }

@@ -6,8 +6,8 @@
 
 #include <set>
 
-#include "supple/contact/sites_inside.hpp"
 #include "tests/support/polygons.hpp"
+#include "tests/support/sites_inside.hpp"
 
 namespace supple {
 namespace {
@@ -142,7 +142,7 @@ TEST(Soundness, AgreesWithEveryPairOfEdges) {
     EXPECT_EQ(found.crossing, static_cast<int>(crossed.size())) << seed;
     EXPECT_EQ(found.self_crossing, static_cast<int>(self.size())) << seed;
     std::set<int> inside;
-    for (const SiteInside& i : find_sites_inside(s))
+    for (const testing::SiteInside& i : testing::find_sites_inside(s))
       inside.insert(bodies_of_sites(t, s.state.size())[i.site]);
     EXPECT_GE(found.inside, static_cast<int>(inside.size()))
         << seed << ": that knows no images of a body itself";

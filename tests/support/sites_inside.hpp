@@ -1,20 +1,26 @@
-#include "supple/contact/sites_inside.hpp"
-
+/// Sites that have got inside another body, by comparing all of them: what look_at and contacts are compared with.
+#pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "supple/geometry/inside.hpp"
+#include "supple/model/system.hpp"
 
-namespace supple {
+namespace supple::testing {
 
-namespace {
+struct SiteInside {
+  std::int32_t site, body;
+  friend bool operator==(const SiteInside&, const SiteInside&) = default;
+};
 
 struct Bounds {
   Vec2 low, high;
 };
 
-Bounds bounds_of(std::span<const Vec2> points) {
+inline Bounds bounds_of(std::span<const Vec2> points) {
   Bounds bounds{points[0], points[0]};
   for (const Vec2& p : points)
     for (int d = 0; d < 2; ++d) {
@@ -29,7 +35,7 @@ struct Cells {
   double first, last;
 };
 
-Cells overlapping(const Bounds& a, const Bounds& b, int d, double moved, double length, bool periodic) {
+inline Cells overlapping(const Bounds& a, const Bounds& b, int d, double moved, double length, bool periodic) {
   const double low = (a.low[d] - b.high[d] - moved) / length, high = (a.high[d] - b.low[d] - moved) / length;
   if (!periodic) return {low <= 0 && high >= 0 ? 0.0 : 1.0, 0};
   return {std::ceil(low), std::floor(high)};
@@ -47,9 +53,9 @@ void for_overlapping_images(const Box<2>& box, const Bounds& a, const Bounds& b,
   }
 }
 
-}  // namespace
-
-std::vector<SiteInside> find_sites_inside(const System<2>& system) {
+/// Every site that lies inside the polygon of another body, through any periodic image, by body and site; empty in a
+/// valid state. Bodies that cross with no vertex of either inside the other are not found.
+inline std::vector<SiteInside> find_sites_inside(const System<2>& system) {
   const Topology<2>& topology = system.topology;
   const std::vector<Vec2>& x = system.state.position;
   const int bodies = topology.body_count(system.state.size());
@@ -79,4 +85,4 @@ std::vector<SiteInside> find_sites_inside(const System<2>& system) {
   return found;
 }
 
-}  // namespace supple
+}  // namespace supple::testing

@@ -1,4 +1,5 @@
-#include "supple/contact/sites_inside.hpp"
+
+#include "tests/support/sites_inside.hpp"
 
 #include <gtest/gtest.h>
 

@@ -52,11 +52,6 @@ void BodyContacts::add_hessian(const System<2>& system, HessianBlocks<2>& blocks
   }
 }
 
-const std::vector<std::int32_t>& BodyContacts::sites_inside() const {
-  static const std::vector<std::int32_t> none;
-  return none;
-}
-
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                    const Harmonic& law) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());

@@ -36,8 +36,6 @@ class BodyContacts {
   virtual std::vector<ContactRecord<2>> records(const System<2>& system) = 0;
   /// Adds second derivatives.
   virtual void add_hessian(const System<2>& system, HessianBlocks<2>& blocks);
-  /// Sites that the last evaluation found inside another body.
-  virtual const std::vector<std::int32_t>& sites_inside() const;
   /// Vertices that the last evaluation found near a part of a body that is no simple arc; rough contacts have none.
   virtual int feature_violations() const { return 0; }
 

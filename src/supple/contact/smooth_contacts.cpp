@@ -136,9 +136,8 @@ Inside find_inside(const Scene& scene, std::int32_t begin, std::int32_t end) {
   return nearest;
 }
 
-/// visit(candidate, part, touch, sigma, sign) for each part that acts, in order; close(candidate, arcs,
-/// inside) behind the last one of each group that met something: the Euler number of what is within sigma,
-/// and whether the site is inside.
+/// visit(candidate, part, touch, sigma, sign) for each part that acts, in order; close(arcs) behind the last one of each
+/// group that met something: the Euler number of what is within sigma.
 template <class Visit, class Close>
 inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
                  const std::vector<std::int32_t>& group_begin, const Visit& visit, const Close& close) {
@@ -152,7 +151,7 @@ inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
       visit(*inside.candidate, inside.part, inside.touch, scene.sigma(*inside.candidate), 1);
       ++arcs, met = true;
     }
-    if (met) close(*last, arcs, inside.candidate != nullptr);
+    if (met) close(arcs);
   };
   for (const std::int32_t k : selected) {
     const EdgeCandidate& c = scene.candidates[k];
@@ -225,15 +224,11 @@ void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& s
         force[c.start] -= push - at_end;
         force[c.end] -= at_end;
       },
-      [&](const EdgeCandidate& c, int arcs, bool inside) {
-        violations_ += arcs != 1;
-        if (inside && (inside_.empty() || inside_.back() != c.site)) inside_.push_back(c.site);
-      });
+      [&](int arcs) { violations_ += arcs != 1; });
 }
 
 void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
   candidates_.update(system);
-  inside_.clear();
   violations_ = 0;
   Sum sum;
   if (detail == Detail::forces) return add_all<false>(system, out, sum);
@@ -275,7 +270,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
         record.add(c.start, -(1 - touch.along));
         if (part == Part::edge) record.add(c.end, -touch.along);
       },
-      [&](const EdgeCandidate&, int, bool) { ++touches; });
+      [&](int) { ++touches; });
   return records;
 }
 

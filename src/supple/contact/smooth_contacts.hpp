@@ -17,8 +17,8 @@ namespace supple {
 /// boundary: feature_violations() counts where it is not.
 ///
 /// A vertex that is inside a body, not deeper than sigma, feels phi(-depth) beside: energy and force go on
-/// where it crosses an edge, and it is pushed out to the nearest point of the boundary. Such sites are
-/// reported by sites_inside(); deeper ones are found by look_at() (observe/soundness) alone.
+/// where it crosses an edge, and it is pushed out to the nearest point of the boundary; nothing
+/// pushes out a deeper one. look_at() (observe/soundness) finds both.
 ///
 /// Smooth discs are bodies of one site. Their centres act as vertices against polygons, with factor 1 instead
 /// of 1/2, and the polygon's vertices do not act on the disc; two discs meet once, phi(distance).
@@ -30,7 +30,6 @@ class SmoothContacts final : public BodyContacts {
   /// Edges as (vertex, start, end) with weights (1, -(1-t), -t), corners as (vertex, corner); inside, the
   /// distance is negative.
   std::vector<ContactRecord<2>> records(const System<2>& system) override;
-  const std::vector<std::int32_t>& sites_inside() const override { return inside_; }
   /// Vertices that the last evaluation found near a part of a body that is no simple arc. Also on the way
   /// into a concave corner, where both of its edges are already within sigma and the corner is not yet.
   int feature_violations() const override { return violations_; }
@@ -41,7 +40,7 @@ class SmoothContacts final : public BodyContacts {
   void add_all(const System<2>& system, Evaluation<2>& out, Sum& sum);
 
   EdgeCandidates candidates_;
-  std::vector<std::int32_t> selected_, inside_;
+  std::vector<std::int32_t> selected_;
   int violations_ = 0;
 };
 
