@@ -118,6 +118,25 @@ TEST(SoundStates, AGivenPackingThatIsUnsoundIsBadInput) {
   }
 }
 
+/// A ring that crosses itself is in equilibrium, too: runs that fail later must not hand it over.
+TEST(SoundStates, AnUnsoundEquilibriumIsNoStateToGoBackTo) {
+  Packing packing = make_packing(case_of("shell", 4, 12), nullptr, 0.2);
+  const MinimiseReport first = relax(packing);
+  ASSERT_TRUE(first.converged);
+  remember(packing, first, look_at(packing));
+  const std::vector<Vec2> sound = packing.relaxed.value().state.position;
+  std::swap(packing.system.state.position[2], packing.system.state.position[7]);
+  packing.minimise.max_evaluations = 1;
+  packing.tolerance.least = 1e9;  // where it is, it is at rest
+  const MinimiseReport crossed = relax(packing);
+  ASSERT_TRUE(crossed.converged);
+  ASSERT_FALSE(look_at(packing).sound());
+  remember(packing, crossed, look_at(packing));
+  EXPECT_EQ(packing.relaxed->state.position, sound);
+  EXPECT_THROW(require_converged(packing, {}, "this packing"), Error);
+  EXPECT_EQ(packing.system.state.position, sound);
+}
+
 /// In equilibrium every particle on which a contact pushes is held: of smooth shells, one of ten packings has
 /// a particle that is squeezed by two opposite vertices, which a rule that counts contacts takes for a
 /// rattler.

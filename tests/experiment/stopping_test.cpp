@@ -76,6 +76,25 @@ TEST_P(StoppingOf, HeedsWhileParticlesFindTheirPlaces) {
   EXPECT_EQ(recorder.last_system.state.size(), 0);
 }
 
+/// Windows of relaxation take seconds each with many discs: every fifth step asks.
+TEST(StoppingOfThePreparation, EndsWithinAWindow) {
+  for (const char* physics : {"documented", "particleshear-1.0.2"}) {
+    Case c;
+    c.general.physics = physics;
+    c.particles.discs = 45;
+    Stopper recorder(10);
+    try {
+      run(c, nullptr, recorder);
+      FAIL() << physics;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::interrupted);
+      EXPECT_THAT(e.what(), ::testing::HasSubstr("interrupted while preparing"));
+    }
+    EXPECT_LT(recorder.late(), 3);
+    EXPECT_TRUE(recorder.tables["preparation"].rows.empty()) << "a whole window was computed";
+  }
+}
+
 TEST(Jamming, OneEvaluationIsNoMinimisation) {
   Case c = small_case("jamming");
   c.minimise.max_evaluations = 1;

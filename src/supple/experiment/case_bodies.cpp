@@ -110,7 +110,10 @@ const Fields<Jamming>& fields() {
        {0, 0.8, true, false},
        {},
        Role::sample},
-      {"step", &J::step, "", "largest relative step of the packing fraction", {0, 0.1, true, false}},
+      {"step", &J::step, "",
+       "largest relative step of the packing fraction where particles push each other; up to 0.02 while none does "
+       "(chapter: never)",
+       {0, 0.1, true, false}},
       {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
       {"search",

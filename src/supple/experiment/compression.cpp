@@ -8,6 +8,7 @@
 #include "supple/core/whole_number.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/experiment/sound_states.hpp"
 #include "supple/observe/onset.hpp"
 
 namespace supple {
@@ -160,7 +161,9 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     // A packing that is already compressed goes on from its pressure: taking it back first would change it. It comes
     // back to all pressures of the list.
     if (initial) {
-      require_converged(packing, relax(packing), "the packing to start from");
+      const MinimiseReport report = relax(packing);
+      require_converged(packing, report, "the packing to start from");
+      remember(packing, report, look_at(packing));
       const double present = observe(packing).pressure;
       std::erase_if(ascent, [&](double pressure) { return pressure * (1 + c.jamming.window) <= present; });
       if (ascent.empty() && !c.compression.decompress)

@@ -114,6 +114,7 @@ class Search {
       require_converged(packing_, progress_.last, fmt::format("the state at P = {:.3g}", progress_.state.pressure));
     progress_.unconverged += progress_.last.ending == Ending::stalled;
     Point point{packing_.system, density, below ? 0 : progress_.state.pressure, look_at(packing_)};
+    remember(packing_, progress_.last, point.soundness);
     if (!unsound(point) && callback_ && !callback_(progress_))
       throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
     return point;

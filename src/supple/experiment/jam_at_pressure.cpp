@@ -84,7 +84,9 @@ class Press {
       const MinimiseReport report = relax(packing_);
       if (report.ending == Ending::exhausted) require_converged(packing_, report, "the hardened packing");
       progress_.unconverged += !report.converged;
-      if (must_stop(packing_, look_at(packing_))) return false;
+      const Soundness soundness = look_at(packing_);
+      if (must_stop(packing_, soundness)) return false;
+      remember(packing_, report, soundness);
       count(report, report.converged);
       if (report.converged && in_window(spec_, progress_.state.pressure)) return true;
       losses += progress_.state.pressure < 0.1 * spec_.pressure;
@@ -124,7 +126,9 @@ class Press {
       packing_.minimise.max_evaluations = std::min(most, 500L);
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
-      if (must_stop(packing_, look_at(packing_))) {  // the root search, with its smaller steps, shall look for a way
+      const Soundness soundness = look_at(packing_);
+      remember(packing_, report, soundness);
+      if (must_stop(packing_, soundness)) {  // the root search, with its smaller steps, shall look for a way
         packing_.system = good;
         packing_.field->invalidate();
         return;

@@ -14,6 +14,8 @@
 
 namespace supple {
 
+struct Soundness;
+
 /// What happens when particles get into each other (contact.unsound).
 enum class OnUnsound { stop, mark };
 
@@ -32,7 +34,7 @@ struct Packing {
   double shape_area = 0;          ///< of their polygons and discs then
   OnUnsound on_unsound = OnUnsound::stop;
   Box<2> cell;                    ///< that it begins in; the system's own, but for particles in a row
-  std::optional<System<2>> relaxed;  ///< as relax() last left it in equilibrium
+  std::optional<System<2>> relaxed;  ///< the last state in equilibrium that no look refused: remember()
 };
 
 /// Where the particles of a case are put.
@@ -79,6 +81,9 @@ struct PackingState {
 /// Minimises the energy in the present cell. Not to converge is no error: the report says so. Where the user asked to
 /// stop, and where energies are not finite, it goes back to `relaxed` and throws.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
+
+/// Keeps the state as `relaxed` where its minimisation converged and no run would have to stop at it.
+void remember(Packing& packing, const MinimiseReport& report, const Soundness& soundness);
 
 /// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its tolerance;
 /// `where` says of which state.

@@ -4,6 +4,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/packing.hpp"
+#include "supple/experiment/sound_states.hpp"
 
 namespace supple {
 
@@ -12,8 +13,11 @@ MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
   std::vector<double> x = objective.coordinates();
   const MinimiseReport report = minimise(objective, x, packing.minimise, callback);
   require_going_on(packing, report);
-  if (report.converged) packing.relaxed = packing.system;
   return report;
+}
+
+void remember(Packing& packing, const MinimiseReport& report, const Soundness& soundness) {
+  if (report.converged && !must_stop(packing, soundness)) packing.relaxed = packing.system;
 }
 
 namespace {

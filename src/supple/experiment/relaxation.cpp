@@ -29,10 +29,13 @@ class StressSpread {
   int count_ = 0;
 };
 
-/// One window of damped steps; the spread of the virial stress over it [Pa].
-double run_window(System<2>& system, Stepper& stepper, const Units& units, int steps, double dt, double damping) {
+/// One window of damped steps; the spread of the virial stress over it [Pa]. `go_on` is called at every fifth step.
+template <class GoOn>
+double run_window(System<2>& system, Stepper& stepper, const Units& units, int steps, double dt, double damping,
+                  const GoOn& go_on) {
   StressSpread stress;
   for (int i = 0; i < steps; ++i) {
+    if (i % 5 == 0) go_on();
     const Evaluation<2>& evaluation = stepper.evaluate(system, {});
     if (i % 5 == 0) stress.add(stress_tensors(system, evaluation, units.stress()).virial);
     stepper.advance(system, {}, dt, damping);
@@ -44,17 +47,19 @@ double run_window(System<2>& system, Stepper& stepper, const Units& units, int s
 
 std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
                    const std::string& phase, Recorder& recorder) {
+  const auto go_on = [&] {
+    if (recorder.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted while preparing (" + phase + ")");
+  };
   std::int64_t done = 0;
   if (rough) {
     const struct { double step, damping; } stages[] = {{4, 0.5}, {2, 0.75}, {1, 0.875}};
     for (const auto& stage : stages) {
-      run_window(system, stepper, units, spec.window, stage.step * spec.time_step, stage.damping);
+      run_window(system, stepper, units, spec.window, stage.step * spec.time_step, stage.damping, go_on);
       done += spec.window;
     }
   }
   for (double spread = 0;; recorder.progress(phase, done, spec.most_steps)) {
-    if (recorder.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted while preparing (" + phase + ")");
-    spread = run_window(system, stepper, units, spec.window, spec.time_step, 0.98);
+    spread = run_window(system, stepper, units, spec.window, spec.time_step, 0.98, go_on);
     done += spec.window;
     recorder.append("preparation", std::vector<double>{static_cast<double>(done), spread});
     if (spread < spec.tolerance) {

@@ -24,11 +24,11 @@ Error unsound_error(const Soundness& soundness) {
   return numerics_error(soundness.what(), "the state handed over is the last one before", to_do);
 }
 
-void LastGood::look() {
+Soundness LastGood::look() {
   const Soundness soundness = look_at(packing_);
   if (!must_stop(packing_, soundness)) {
     good_ = packing_.system;
-    return;
+    return soundness;
   }
   packing_.system = good_;
   packing_.field->invalidate();

@@ -116,7 +116,7 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
     const MinimiseReport report = relax(packing);
     count(work, report);
     require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
-    good.look();
+    remember(packing, report, good.look());
     const PackingReport row = report_packing(packing);
     recorder.append("packing", uniaxial_row(packing, row, work, strain));
     if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, row));

@@ -7,7 +7,7 @@
 
 namespace supple {
 
-/// A share of the evaluations, by measurement on 16 to 64 discs and shells (within 0.15): a tenth until particles
+/// A share of the evaluations, roughly, by measurement on 16 to 64 discs and shells: a tenth until particles
 /// meet at a packing fraction of 0.5; half when the pressure is first exceeded, near 0.8, as more and more of them must
 /// get out of each other's way; then as the logarithm of the pressure falls to the one wanted. Never goes back.
 class WayToJam {
