@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "supple/core/error.hpp"
+#include "supple/core/text_columns.hpp"
 
 namespace supple {
 namespace {
@@ -253,9 +254,9 @@ TEST(CaseFile, TheCommentedCaseFitsThePageAndExplainsEveryKey) {
   const std::string text = write_case(Case{}, CaseStyle::commented);
   EXPECT_THAT(text, HasSubstr("# young_modulus = 8000"));
   EXPECT_THAT(text, HasSubstr("# [kg/m^3] density of the discs; above 0\n"));
-  EXPECT_THAT(text, HasSubstr(": \"clamp\", \"freeze\", \"reset\"\n"));
+  EXPECT_THAT(text, HasSubstr(": \"clamp\", \"freeze\",\n"));
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 110u) << line;
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(text_width(line), page_width) << line;
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST_F(PackingFile, WhatTheLayoutCannotHoldIsRefused) {
 
 TEST_F(PackingFile, ErrorsSayFileParticleAndWhat) {
   EXPECT_THAT(file_error_of([&] { read_packing_json(in_folder("none.json")); }), HasSubstr("No such file"));
-  EXPECT_THAT(file_error_of([&] { read(small.substr(0, 100)); }), HasSubstr("as a packing (not JSON, or truncated"));
+  EXPECT_THAT(file_error_of([&] { read(small.substr(0, 100)); }), HasSubstr("as a packing (it ends too early"));
   EXPECT_THAT(error_with("\"k_b\": 0.5, ", ""), HasSubstr("packing.json has no \"k_b\""));
   EXPECT_THAT(error_with("\"k_l\": 2", "\"k_l\": -2"), HasSubstr("packing.json: k_l is negative"));
   EXPECT_THAT(error_with("\"box\": 10", "\"box\": 0"), HasSubstr("box is 0, not positive"));

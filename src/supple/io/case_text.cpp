@@ -4,6 +4,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "supple/core/text_columns.hpp"
 #include "supple/io/case_file.hpp"
 
 namespace supple {
@@ -43,16 +44,6 @@ std::vector<std::string> explanation(const Field<P>& field) {
   return pieces;
 }
 
-/// The pieces with spaces between, in lines of at most `width` characters.
-std::vector<std::string> wrapped(const std::vector<std::string>& pieces, std::size_t width) {
-  std::vector<std::string> lines{""};
-  for (const std::string& piece : pieces) {
-    if (!lines.back().empty() && lines.back().size() + 1 + piece.size() > width) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + piece;
-  }
-  return lines;
-}
-
 /// The range, or the choices, of a key.
 template <class P>
 std::string valid_values(const Field<P>& field) {
@@ -69,7 +60,8 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-constexpr std::size_t comment_column = 46, comment_width = 60;
+/// Where comments begin, behind nearly every key and its value.
+constexpr std::size_t comment_column = 31, comment_width = page_width - comment_column - 2;
 
 }  // namespace
 
@@ -77,8 +69,9 @@ std::string write_case(const Case& c, CaseStyle style) {
   std::string out;
   if (style == CaseStyle::commented)
     out =
-        "# A case of Supple. Keys that begin with # hold their default: take the # away to change one.\n"
-        "# Numbers are in the unit in brackets, or carry their own: width = \"500 um\".\n\n";
+        "# A case of Supple. Keys that begin with # hold their default: take the # away\n"
+        "# to change one. Numbers are in the unit in brackets, or carry their own:\n"
+        "# width = \"500 um\".\n\n";
   const std::vector<std::string> read = sections_of(c);
   for_each_section(c, [&](std::string_view section, const auto& parameters) {
     if (std::find(read.begin(), read.end(), section) == read.end()) return;
@@ -92,8 +85,12 @@ std::string write_case(const Case& c, CaseStyle style) {
       if (style == CaseStyle::commented) {
         if (!c.is_given(key)) line = "# " + line;
         std::string margin = fmt::format("{:<{}}", line, comment_column);
-        for (const std::string& part : wrapped(explanation(field), comment_width)) {
-          out += fmt::format("{} # {}\n", margin, part);
+        if (text_width(line) >= comment_column) {
+          out += margin + "\n";
+          margin.assign(comment_column, ' ');
+        }
+        for (const std::string& part : wrap_pieces(explanation(field), comment_width)) {
+          out += fmt::format("{}# {}\n", margin, part);
           margin.assign(comment_column, ' ');
         }
       } else {
