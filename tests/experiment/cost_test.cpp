@@ -1,6 +1,7 @@
 /// What is said of a run before it begins must cost nothing, however absurd the case.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <ctime>
 
 #include "supple/core/error.hpp"
@@ -93,6 +94,22 @@ TEST(Cost, AThousandsSidedRingCostsNoSquareOfItsSides) {
   const double begin = cpu_seconds();
   derive(c, nullptr);
   EXPECT_LT(cpu_seconds() - begin, 3);  // 0.3 s here; with all pairs of sides looked at, a minute
+}
+
+TEST(Cost, VerticesOfAnyWidthAreRefusedOrCounted) {
+  for (const double ratio : {1e3, 1e9, 9007199254740992.0, 1e100, 1e308})
+    for (const bool is_shape : {false, true}) {
+      Case c = bodies_case("uniaxial_compression");
+      c.bodies.count = 4;
+      (is_shape ? c.bodies.shape_ratio : c.bodies.diameter_ratio) = ratio;
+      const double begin = cpu_seconds();
+      try {
+        for (const Derived& d : derive(c, nullptr)) EXPECT_TRUE(std::isfinite(d.value)) << d.name.name;
+      } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), ErrorKind::input);
+      }
+      EXPECT_LT(cpu_seconds() - begin, 1) << ratio;
+    }
 }
 
 TEST(Cost, StepsThatNoIntegerHoldsAreRefusedByName) {

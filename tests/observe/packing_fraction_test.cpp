@@ -248,6 +248,17 @@ TEST(PackingFraction, DoesNotDependOnPlaceOrCopies) {
   for (int b = 0; b < 14; ++b) EXPECT_NEAR(after.area[b], before.area[b], 1e-11);
 }
 
+TEST(PackingFraction, RefusesBodiesThatWouldFillMemoryWithTheirCopies) {
+  for (const double radius : {1e3, 1e9, 1e300}) {
+    System<2> system = empty_cell(2, 3);
+    add_outline(system, {{1, 1}}, radius);
+    for (const double strain : {0.0, 0.4}) {
+      system.box.strain = strain;
+      EXPECT_THROW(packing_fraction(system, Outline::rough), Error) << radius;
+    }
+  }
+}
+
 TEST(PackingFraction, RefusesBodiesWithoutArea) {
   System<2> system = empty_cell(9, 9);
   add_outline(system, {{1, 1}, {1, 2}, {2, 1}}, 0.1);  // clockwise

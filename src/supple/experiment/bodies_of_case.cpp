@@ -125,7 +125,8 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   for (int b = 0; b < bodies; ++b) add_particle(c, sizes, b, {pitch * b, 0}, s);
   s.box.length = {pitch * (bodies + 1), pitch * (bodies + 1)};
   require_sane(s, "these particles");
-  s.box.length = {1e4 * bodies, 1e4 * bodies};  // every packing follows, to the last bit, from areas summed in this cell
+  const double apart = std::max(1e4, 2 * pitch) * bodies;
+  s.box.length = {apart, apart};  // every packing follows, to the last bit, from areas summed in this cell
   for (double a : packing_fraction(s, outline_of(c)).area) loose.area += a;
   for (int b = 0; b < bodies; ++b) loose.radius.push_back(outer_radius(s, b));
   Box<2>& cell = loose.cell;

@@ -59,6 +59,17 @@ void bring_into_cell(BodyShape& shape, const Box<2>& box) {
   shape.bounds = shape.bounds.shifted(shift);
 }
 
+/// Copies of a body along one direction, and of all bodies for each of them. Bodies are less than a cell wide, so that
+/// ten meet the cell; a damaged size would make more than there is memory.
+constexpr double most_copies = 1e6;
+constexpr std::size_t most_images = 1000;
+
+[[noreturn]] void refuse_copies(int body, const Bounds& b, const Box<2>& box) {
+  throw input_error(fmt::format("no copies of body {}, {:.3g} x {:.3g} in size, in a cell of {:.3g} x {:.3g}", body,
+                                b.high[0] - b.low[0], b.high[1] - b.low[1], box.length[0], box.length[1]),
+                    "there would be thousands", "look for a wrong unit or a damaged number");
+}
+
 }  // namespace
 
 double BodyShape::distance_to_edge(int k, const Vec2& x) const {
@@ -107,13 +118,17 @@ std::vector<BodyImage> images_in(const Bounds& region, std::span<const BodyShape
   for (int body = 0; body < static_cast<int>(bodies.size()); ++body) {
     const Bounds& own = bodies[body].bounds;
     const auto [lowest, highest] = cells(gradient, own.low[gradient], own.high[gradient]);
+    if (!(highest - lowest < most_copies)) refuse_copies(body, own, box);
     for (double up = lowest; up <= highest; ++up) {
       const double sheared = lattice_vector(box, 0, up)[flow];
       const auto [first, last] = cells(flow, own.low[flow] + sheared, own.high[flow] + sheared);
+      if (!(last - first < most_copies)) refuse_copies(body, own, box);
       for (double across = first; across <= last; ++across) {
         const Vec2 shift = lattice_vector(box, across, up);
         const Bounds bounds = own.shifted(shift);
-        if (bounds.meets(region)) images.push_back({body, shift, bounds});
+        if (!bounds.meets(region)) continue;
+        images.push_back({body, shift, bounds});
+        if (images.size() > most_images * bodies.size()) refuse_copies(body, own, box);
       }
     }
   }
