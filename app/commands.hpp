@@ -37,10 +37,11 @@ void list(const std::string& section, Format format);
 void show(const std::string& run_path, Format format, const std::string& path = "-",
           Existing existing = Existing::refuse);
 
-/// Writes a run as "csv", "text" (the published format), "state" (its JSON layout), "xyz" or "vtp" (all frames), or
-/// "packing" (polygons as JSON); `path` empty: beside the run.
+/// Writes a run as "csv" (the main table), "contacts", "trajectory" (the published columns), "text" (the published
+/// format), "state" (its JSON layout), "xyz" or "vtp" (all frames; `cells` of vtp: polygons, outlines, triangles),
+/// "packing" (polygons as JSON), or "hdf5" (one file of its segments); `path` empty: beside the run.
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
-                Existing existing);
+                Existing existing, const std::string& cells = "polygons");
 
 /// Draws frame `frame` (negative: counted from the end; none: the most sheared one, of deformable particles the last);
 /// `color`: the number of each deformable particle that colours it, or empty; `path` empty: beside the run.

@@ -1,6 +1,7 @@
 /// The `supple` command: options, help and exit codes. What the commands do is in commands.hpp.
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -33,7 +34,7 @@ constexpr auto exit_codes =
 /// What the options of one call are read into.
 struct Options {
   command::CaseChoice choice;
-  std::string experiment = "oscillatory_shear", run, output, to = "csv", color, section, physics;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, section, physics;
   std::optional<int> frame;
   bool force = false, json = false;
 
@@ -107,15 +108,26 @@ void add_run_commands(CLI::App& app, Options& o) {
   add_run(*exporting, o);
   exporting
       ->add_option("--to", o.to,
-                   "csv: tables; text: the published text format; state: final state of discs as JSON; packing: of "
-                   "deformable particles; xyz, vtp: all frames for OVITO, ParaView")
+                   "csv: main table with units; contacts: every contact of every frame; trajectory: frames of discs "
+                   "in the published columns; text: the published text format; state: final state of discs as JSON; "
+                   "packing: of deformable particles; xyz, vtp: all frames for OVITO, ParaView; hdf5: one file of a "
+                   "run that is going on or was killed")
       ->type_name("FORMAT")
       ->each([](const std::string& name) {
-        command::check_choice("--to", name, {"csv", "text", "state", "packing", "xyz", "vtp"});
+        command::check_choice("--to", name, {"csv", "contacts", "trajectory", "text", "state", "packing", "xyz", "vtp", "hdf5"});
+      })
+      ->capture_default_str();
+  exporting
+      ->add_option("--cells", o.cells,
+                   "With vtp: polygons (vertices); outlines (with the discs on vertices); triangles (of the outlines: "
+                   "right areas of particles that are not convex)")
+      ->type_name("CELLS")
+      ->each([](const std::string& name) {
+        command::check_choice("--cells", name, {"polygons", "outlines", "triangles"});
       })
       ->capture_default_str();
   add_output(*exporting, o, "File to write; - for standard output (default: the name of the run with .csv, .txt, _state.json, ...)");
-  exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing()); });
+  exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing(), o.cells); });
 
   CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: particles and their contacts");
   add_run(*snapshot, o);
@@ -199,6 +211,7 @@ bool printed() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file size is then an error of the write
   const int code = obey(argc, argv);
   if (code != 0 || printed()) return code;
   std::fprintf(stderr, "supple: cannot write standard output: %s\n", std::strerror(errno));

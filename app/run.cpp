@@ -105,9 +105,10 @@ void draw_or_warn(const std::string& what, std::vector<std::string>& written, Dr
   }
 }
 
-void draw_images_of(const Case& c, const std::string& run, CommandRecorder& recorder) {
+void draw_images_of(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
   const auto progress = [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); };
   const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
+  if (existing == Existing::replace) remove_numbered_files(images_folder(run), "image");
   fs::create_directories(images_folder(run));
   if (is_deformable(c)) draw_body_images(images_folder(run), format, RunFile(run), count, "", progress);
   else draw_run_images(images_folder(run), format, RunFile(run), count, {}, progress);
@@ -126,7 +127,7 @@ std::vector<std::string> write_beside(const Case& c, const std::string& run, Exi
     written.push_back(export_path(run, "text"));
   }
   if (c.output.images > 0)
-    draw_or_warn(images_folder(run) + "/", written, [&] { draw_images_of(c, run, recorder); });
+    draw_or_warn(images_folder(run) + "/", written, [&] { draw_images_of(c, run, existing, recorder); });
   return written;
 }
 

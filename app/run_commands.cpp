@@ -16,6 +16,7 @@
 #include "supple/io/published_text.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/io/run_layout.hpp"
+#include "supple/io/run_merge.hpp"
 #include "supple/io/run_pictures.hpp"
 #include "supple/io/state_file.hpp"
 #include "supple/io/trajectory.hpp"
@@ -26,7 +27,8 @@ namespace {
 
 bool is_of_bodies(const RunFile& run) { return is_deformable(run.resolved_case()); }
 
-/// What pictures show by default: the frame of the largest strain, the first of several; of bodies the last.
+/// What pictures show by default: the frame of the largest strain, the first of several; without strain, and of bodies,
+/// the last.
 std::int64_t telling_frame(const RunFile& run) {
   if (is_of_bodies(run)) return run.frames() - 1;
   std::int64_t best = 0;
@@ -36,7 +38,7 @@ std::int64_t telling_frame(const RunFile& run) {
       largest = strain;
       best = k;
     }
-  return best;
+  return largest > 0 ? best : run.frames() - 1;
 }
 
 /// The formats of discs hold no polygons.
@@ -65,7 +67,9 @@ std::string snapshot_path(const std::string& run) { return beside(run, "_cell.pn
 std::string export_path(const std::string& run, const std::string& to) {
   static const std::map<std::string, std::string> endings{{"csv", ".csv"},          {"text", ".txt"},
                                                           {"state", "_state.json"}, {"xyz", ".xyz"},
-                                                          {"vtp", ".pvd"},          {"packing", "_packing.json"}};
+                                                          {"vtp", ".pvd"},          {"packing", "_packing.json"},
+                                                          {"contacts", "_contacts.csv"}, {"trajectory", "_trajectory.csv"},
+                                                          {"hdf5", "_so_far.h5"}};
   return beside(run, endings.at(to));
 }
 
@@ -77,15 +81,22 @@ void check_output_of(const std::string& run_path, const std::string& file, Exist
 }
 
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
-                Existing existing) {
+                Existing existing, const std::string& cells) {
   const std::string file = path.empty() ? export_path(run_path, to) : path;
   check_output_of(run_path, file, existing);
   if (to == "vtp" && file == standard_output)
     throw input_error("--to vtp -o -", "frames for ParaView are a file and a folder", "give a name");
-  if (to == "text" || to == "state") check_discs(run_path, to == "text" ? "the published text" : "the JSON of states");
+  static const std::map<std::string, std::string> of_discs{
+      {"text", "the published text"}, {"trajectory", "a trajectory"}, {"state", "the JSON of states"}};
+  if (const auto at = of_discs.find(to); at != of_discs.end()) check_discs(run_path, at->second);
   if (to == "csv") export_csv(RunFile(run_path), file, existing);
   else if (to == "xyz") export_xyz(RunFile(run_path), file, existing);
-  else if (to == "vtp") export_vtp(RunFile(run_path), file, existing);
+  else if (to == "contacts") export_contacts(RunFile(run_path), file, existing);
+  else if (to == "trajectory") export_trajectory(RunFile(run_path), file, existing);
+  else if (to == "hdf5") save_merged(RunFile(run_path), RunFile(run_path).status(), file, existing);
+  else if (to == "vtp")
+    export_vtp(RunFile(run_path), file, existing,
+               cells == "triangles" ? Cells::triangles : cells == "outlines" ? Cells::outlines : Cells::polygons);
   else if (to == "packing") export_final_packing(run_path, file, existing);
   else if (to == "text") export_published_text(RunFile(run_path), file, existing);
   else write_state_json(read_state(run_path), file, existing);

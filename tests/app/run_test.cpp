@@ -80,7 +80,7 @@ TEST_F(Run, PlotsAndExports) {
   EXPECT_EQ(supple("plot small.h5 -o loop.svg").code, 0);
   EXPECT_THAT(read_text(path("loop.svg")), HasSubstr("<svg"));
   EXPECT_EQ(supple("export small.h5").code, 0);
-  EXPECT_THAT(read_text(path("small.csv")), testing::StartsWith("t,strain,strain_rate,"));
+  EXPECT_THAT(read_text(path("small.csv")), testing::StartsWith("t [s],strain,strain_rate [1/s],"));
   EXPECT_EQ(supple("export small.h5").code, 4);
 }
 
@@ -139,7 +139,7 @@ TEST_F(Run, ExamplesAreSound) {
     EXPECT_EQ(check.code, 0) << check.err;
   }
   ASSERT_EQ(supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml").code, 0);
-  EXPECT_EQ(RunFile(path("dynamics_pair.h5").string()).frames(), 200);
+  EXPECT_EQ(RunFile(path("dynamics_pair.h5").string()).frames(), 201) << "first and last included";
 }
 
 }  // namespace

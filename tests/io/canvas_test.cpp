@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "supple/core/error.hpp"
 #include "tests/io/temporary_folder.hpp"
 
@@ -35,6 +38,18 @@ TEST_F(CanvasTest, WritesPngOfTheSizeThatPointsAndResolutionGive) {
   EXPECT_EQ(big_endian(bytes, 16, 4), 200);
   EXPECT_EQ(big_endian(bytes, 20, 4), 100);
   EXPECT_THAT(bytes, HasSubstr("IEND"));
+}
+
+/// Cairo writes the time of day into both.
+TEST_F(CanvasTest, VectorFormatsHaveTheSameBytesEachTime) {
+  for (const char* ending : {"pdf", "ps"}) {
+    const std::string first = in_folder("first.") + ending, second = in_folder("second.") + ending;
+    draw_sample(first);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    draw_sample(second);
+    EXPECT_EQ(content_of(first), content_of(second)) << ending;
+    EXPECT_EQ(content_of(first).find("CreationDate"), std::string::npos) << ending;
+  }
 }
 
 TEST_F(CanvasTest, WritesJpegOfTheSameSize) {

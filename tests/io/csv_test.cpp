@@ -97,6 +97,7 @@ TEST_F(CsvTest, ATrajectoryOfThePackageComesBackAsItWas) {
   c.general.experiment = "dynamics";
   FileRecorder to(in_folder("run.h5"), c, "");
   RunInfo info = sample_info(discs);
+  info.body_begin.clear();
   info.units = particleshear_units();
   to.begin(info);
   std::vector<Column> columns;
@@ -114,7 +115,7 @@ TEST_F(CsvTest, ATrajectoryOfThePackageComesBackAsItWas) {
     if (r % 3 == 0) to.frame(frame_of(row, discs));
   }
   to.finish("complete");
-  export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv"));
+  export_trajectory(RunFile(in_folder("run.h5")), in_folder("run.csv"));
 
   const ReferenceTable written = parsed_csv(in_folder("run.csv"));
   EXPECT_EQ(written.header, reference.header);
@@ -129,11 +130,12 @@ TEST_F(CsvTest, ATrajectoryOfThePackageComesBackAsItWas) {
   }
 }
 
-TEST_F(CsvTest, ARunInSIIsExportedInMicrometres) {
+TEST_F(CsvTest, ATrajectoryOfARunInSIIsInMicrometres) {
   Case c;
   c.general.experiment = "dynamics";
   FileRecorder to(in_folder("run.h5"), c, "");
   RunInfo info = sample_info(1);
+  info.body_begin.clear();
   info.units = si_units();
   to.begin(info);
   to.declare("stress", {{"t", "s", ""}, {"shear_stress_internal", "Pa", ""}, {"shear_stress_external", "Pa", ""},
@@ -145,9 +147,10 @@ TEST_F(CsvTest, ARunInSIIsExportedInMicrometres) {
   f.velocity = {{4e-6, 5e-6}};
   f.force = {{1e-12, 2e-12}};
   f.torque = {1e-18};
+  f.body.clear();
   to.frame(f);
   to.finish("complete");
-  export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv"));
+  export_trajectory(RunFile(in_folder("run.h5")), in_folder("run.csv"));
   const ReferenceTable written = parsed_csv(in_folder("run.csv"));
   EXPECT_EQ(written.header.size(), 4u + 10 + 4 + 1) << "tensors that the run did not keep are left out";
   std::map<std::string, std::string> row;
@@ -161,14 +164,43 @@ TEST_F(CsvTest, ARunInSIIsExportedInMicrometres) {
   EXPECT_EQ(row["t"], "0.5");
 }
 
-TEST_F(CsvTest, OtherExperimentsGiveTheTableOfStress) {
-  FileRecorder to(in_folder("run.h5"), Case{}, "");
-  record_sample(to, 3, 2);
-  to.finish("complete");
-  export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv"));
-  EXPECT_EQ(content_of(in_folder("run.csv")), "t,zeta,alpha\n0,0,0\n0.1,0.3333333333333333,0.14285714285714285\n");
+TEST_F(CsvTest, EveryExperimentGivesItsTableWithUnits) {
+  Case c;
+  for (const char* experiment : {"oscillatory_shear", "dynamics"}) {
+    c.general.experiment = experiment;
+    FileRecorder to(in_folder("run.h5"), c, "", Existing::replace);
+    record_sample(to, 3, 2);
+    to.finish("complete");
+    export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv"), Existing::replace);
+    EXPECT_EQ(content_of(in_folder("run.csv")),
+              "t [s],zeta [Pa],alpha [Pa]\n0,0,0\n0.1,0.3333333333333333,0.14285714285714285\n");
+  }
   EXPECT_THAT(file_error_of([&] { export_csv(RunFile(in_folder("run.h5")), in_folder("run.csv")); }),
               HasSubstr("exists"));
+}
+
+TEST_F(CsvTest, ContactsAreInSIWithTheirParts) {
+  FileRecorder to(in_folder("run.h5"), Case{}, "");
+  to.begin(sample_info(3));
+  to.declare("stress", {{"t", "s", ""}});
+  Frame f = sample_frame(3, 0);
+  f.time = 0.5;
+  f.contacts = {{0, 2, ContactState::slip, 2, 0, 5, 0.25, 4, 1, {3, -2}}};
+  to.frame(f);
+  to.finish("complete");
+  export_contacts(RunFile(in_folder("run.h5")), in_folder("run.csv"));
+  const ReferenceTable written = parsed_csv(in_folder("run.csv"));
+  EXPECT_THAT(written.header, ::testing::ElementsAre("frame", "t [s]", "first", "second", "state", "elongation [m]",
+                                                     "normal_force [N/m]", "elastic_force [N/m]", "viscous_force [N/m]",
+                                                     "tangential_force [N/m]", "force_on_first_x [N/m]",
+                                                     "force_on_first_y [N/m]"));
+  const std::vector<double> expected{0, 0.5, 0, 2, 0, 2e-6, 5e-12, 4e-12, 1e-12, 0.25e-12, 3e-12, -2e-12};
+  ASSERT_EQ(written.rows.size(), 1u);
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    if (k != 4) {
+      EXPECT_NEAR(std::stod(written.rows[0][k]), expected[k], 1e-12 * std::abs(expected[k])) << k;
+    }
+  EXPECT_EQ(written.rows[0][4], "slip");
 }
 
 }  // namespace

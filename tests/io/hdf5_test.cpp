@@ -16,7 +16,7 @@ class Hdf5 : public supple::testing::TemporaryFolder {};
 TEST_F(Hdf5, ValuesAndAttributesComeBackAsTheyWere) {
   const std::string path = in_folder("a.h5");
   {
-    Group root = create_file(path);
+    Group root = create_file("a.h5");
     Object x = root.write<double>("x", std::vector<double>{0.1, -0.0, 1e-310, 3}, {2, 2});
     x.set("unit", std::string("µm"));
     x.set("names", std::vector<std::string>{"one", "", "three"});
@@ -25,6 +25,8 @@ TEST_F(Hdf5, ValuesAndAttributesComeBackAsTheyWere) {
     root.write("bytes", std::vector<std::uint8_t>{0, 255});
     root.write("texts", std::vector<std::string>{"a", "größer"});
     root.write("none", std::vector<double>{}, {0, 3});
+    root.write_scalar("long", std::string(70000, 'x'));
+    save(root, path);
   }
   const Group root = open_file(path);
   const auto x = root.read<double>("x");
@@ -38,29 +40,32 @@ TEST_F(Hdf5, ValuesAndAttributesComeBackAsTheyWere) {
   EXPECT_THAT(root.read<std::uint8_t>("bytes"), ElementsAre(0, 255));
   EXPECT_THAT(root.read<std::string>("texts"), ElementsAre("a", "größer"));
   EXPECT_THAT(root.shape("none"), ElementsAre(0, 3));
-  EXPECT_THAT(root.names(), ElementsAre("x", "bytes", "texts", "none")) << "in the order of creation";
+  EXPECT_EQ(root.read_scalar<std::string>("long"), std::string(70000, 'x'));
+  EXPECT_THAT(root.names(), ElementsAre("x", "bytes", "texts", "none", "long")) << "in the order of creation";
 }
 
-TEST_F(Hdf5, RowsGrowAndAreReadInParts) {
-  Group root = create_file(in_folder("a.h5"));
-  root.create_rows<double>("v", {2});
-  root.append_rows("v", std::vector<double>{1, 2});
-  root.append_rows("v", std::vector<double>{});
-  root.append_rows("v", std::vector<double>{3, 4, 5, 6});
-  EXPECT_THAT(root.shape("v"), ElementsAre(3, 2));
+TEST_F(Hdf5, RowsAreReadInParts) {
+  Group root = create_file("a.h5");
+  root.write("v", std::vector<double>{1, 2, 3, 4, 5, 6}, {3, 2});
   EXPECT_THAT(root.read_rows<double>("v", 1, 2), ElementsAre(3, 4, 5, 6));
-  EXPECT_THAT(file_error_of([&] { root.read_rows<double>("v", 2, 2); }), HasSubstr("rows are missing"));
+  for (const std::uint64_t count : {std::uint64_t{2}, ~std::uint64_t{1}})
+    EXPECT_THAT(file_error_of([&] { root.read_rows<double>("v", 2, count); }), HasSubstr("rows are missing"));
 }
 
-TEST_F(Hdf5, RowsOfAnotherFileAreAppendedWithTheirAttributes) {
-  Group from = create_file(in_folder("from.h5")), to = create_file(in_folder("to.h5"));
-  from.create_rows<std::string>("warnings").set("unit", std::string("none"));
-  from.append_rows("warnings", std::vector<std::string>{"first", "second"});
-  to.create_rows_like(from, "warnings");
-  to.append_rows_of(from, "warnings");
-  to.append_rows_of(from, "warnings");
-  EXPECT_THAT(to.read<std::string>("warnings"), ElementsAre("first", "second", "first", "second"));
-  EXPECT_EQ(to.open_dataset("warnings").text("unit"), "none");
+TEST_F(Hdf5, RowsOfOtherFilesAreJoinedWithTheirAttributes) {
+  Group from = create_file("from.h5"), to = create_file("to.h5");
+  from.write("speed", std::vector<double>{1, 2, 3, 4}, {2, 2}).set("unit", "m/s");
+  from.write("large", std::vector<double>(10000, 1.5), {5000, 2});
+  for (const std::string name : {"speed", "large"}) {
+    const std::uint64_t rows = from.shape(name)[0];
+    to.create_like(from, name, 2 * rows);
+    to.write_rows_of(from, name, 0);
+    to.write_rows_of(from, name, rows);
+    EXPECT_THAT(file_error_of([&] { to.write_rows_of(from, name, rows + 1); }), HasSubstr("has another shape"));
+  }
+  EXPECT_THAT(to.read<double>("speed"), ElementsAre(1, 2, 3, 4, 1, 2, 3, 4));
+  EXPECT_EQ(to.read<double>("large"), std::vector<double>(20000, 1.5));
+  EXPECT_EQ(to.open_dataset("speed").text("unit"), "m/s");
 }
 
 TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {
@@ -69,7 +74,9 @@ TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {
   write_content(in_folder("text.h5"), "this is a text, long enough to be looked at as a file of some kind");
   EXPECT_THAT(file_error_of([&] { open_file(in_folder("text.h5")); }), HasSubstr("is not an HDF5 file"));
 
-  { create_file(in_folder("whole.h5")).write("x", std::vector<double>(10000, 1.5)); }
+  Group made = create_file("whole.h5");
+  made.write("x", std::vector<double>(10000, 1.5));
+  save(made, in_folder("whole.h5"));
   const std::string whole = content_of(in_folder("whole.h5"));
   write_content(in_folder("cut.h5"), whole.substr(0, whole.size() / 2));
   ::testing::internal::CaptureStderr();
@@ -80,11 +87,11 @@ TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {
 }
 
 TEST_F(Hdf5, ErrorsNameFileAndObject) {
-  const Group root = create_file(in_folder("a.h5"));
+  Group root = create_file("a.h5");
   EXPECT_THAT(file_error_of([&] { root.read<double>("missing"); }), HasSubstr("a.h5"));
   EXPECT_THAT(file_error_of([&] { root.read<double>("missing"); }), HasSubstr("missing"));
   EXPECT_THAT(file_error_of([&] { root.text("format"); }), HasSubstr("format"));
-  EXPECT_THAT(file_error_of([&] { create_file(in_folder("no/folder.h5")); }), HasSubstr("cannot create"));
+  EXPECT_THAT(file_error_of([&] { save(root, in_folder("no/folder.h5")); }), HasSubstr("cannot create"));
 }
 
 }  // namespace

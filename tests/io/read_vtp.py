@@ -32,5 +32,6 @@ print(json.dumps({
     "others": mesh.GetNumberOfVerts() + mesh.GetNumberOfLines() + mesh.GetNumberOfStrips(),
     "of_points": arrays(mesh.GetPointData()),
     "of_cells": arrays(mesh.GetCellData()),
+    "of_all": arrays(mesh.GetFieldData()),
 }))
 sys.exit(1 if failed else 0)

@@ -140,6 +140,32 @@ TEST_F(Vtp, IsWrittenAsOvitoReadsIt) {
   EXPECT_LT(xml.find("\"connectivity\""), xml.find("\"offsets\""));
 }
 
+/// vtk.js makes a view of 64-bit numbers at the size's end: it must be of 8 bytes.
+TEST_F(Vtp, SizesHave64BitsAndTheTimeIsTold) {
+  write_vtp(in_folder("a.vtp"), sample_scene());
+  const std::string xml = content_of(in_folder("a.vtp"));
+  EXPECT_EQ(count_of(xml, "header_type=\"UInt64\""), 1);
+  EXPECT_EQ(count_of(xml, "Name=\"TimeValue\""), 1);
+}
+
+/// An L of unit thickness: a fan from its first vertex would cover more than it.
+TEST_F(Vtp, TrianglesCoverWhatABodyCovers) {
+  PolygonScene scene;
+  scene.box.length = {10, 10};
+  scene.begin = {0, 6};
+  scene.position = {{3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 1}};
+  scene.radius.assign(6, 1e-6);
+  write_vtp(in_folder("a.vtp"), scene, Existing::refuse, Placement::unwrapped, Cells::triangles);
+  const Json mesh = read("a.vtp");
+  double area = 0;
+  for (const Json& cell : mesh["polygons"]) {
+    ASSERT_EQ(cell.size(), 3u);
+    const auto x = [&](int k, int d) { return mesh["points"][cell[k].get<int>()][d].get<double>(); };
+    area += 0.5 * std::abs((x(1, 0) - x(0, 0)) * (x(2, 1) - x(0, 1)) - (x(1, 1) - x(0, 1)) * (x(2, 0) - x(0, 0)));
+  }
+  EXPECT_NEAR(area, 3, 1e-4);
+}
+
 TEST_F(Vtp, KeepsNamesThatXmlWouldMisread) {
   PolygonScene scene = sample_scene();
   scene.of_bodies[0].name = "p/<p> & \"more\"";

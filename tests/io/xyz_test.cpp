@@ -18,8 +18,8 @@ using testing::sample_scene;
 
 struct XyzFrame {
   std::string header;
-  std::vector<std::string> species;
-  std::vector<std::vector<double>> columns;  ///< behind the species, line by line
+  std::vector<std::string> types;
+  std::vector<std::vector<double>> columns;  ///< behind the type, line by line
 
   /// The text of a key, without its quotes.
   std::string key(const std::string& name) const {
@@ -44,7 +44,7 @@ std::vector<XyzFrame> read(const std::string& path) {
     for (int i = 0; i < sites; ++i) {
       std::getline(in, line);
       std::istringstream row(line);
-      row >> frame.species.emplace_back();
+      row >> frame.types.emplace_back();
       frame.columns.emplace_back();
       for (std::string number; row >> number;) frame.columns.back().push_back(std::stod(number));
     }
@@ -69,7 +69,7 @@ TEST_F(Xyz, ReadsBackEverySiteToTheSameDouble) {
   const std::vector<XyzFrame> frames = write_and_read({scene}, Placement::unwrapped);
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_EQ(frames[0].key("Properties"),
-            "species:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1:force:R:3:contact_count:I:1:pressure:R:1:velocity:R:3");
+            "type:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1:force:R:3:contact_count:I:1:pressure:R:1:velo:R:3");
   const int body[] = {0, 0, 0, 1, 2, 2, 2, 2, 2};
   const auto& force = std::get<std::vector<Vec2>>(scene.of_sites[0].values);
   const auto& contacts = std::get<std::vector<std::int32_t>>(scene.of_sites[1].values);
@@ -84,12 +84,30 @@ TEST_F(Xyz, ReadsBackEverySiteToTheSameDouble) {
   }
 }
 
-TEST_F(Xyz, NamesASpeciesForEachKindAndSize) {
+/// A number named spin would be read as the x component of a vector.
+TEST_F(Xyz, SpinsAreVectorsAlongZ) {
+  PolygonScene scene = sample_scene();
+  scene.of_sites = {{"spin", std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}, true}};
+  scene.of_bodies.clear();
+  const XyzFrame frame = write_and_read({scene})[0];
+  EXPECT_THAT(frame.key("Properties"), ::testing::EndsWith(":spin:R:3"));
+  EXPECT_EQ(std::vector<double>(frame.columns[4].begin() + 6, frame.columns[4].end()), (std::vector<double>{0, 0, 5}));
+}
+
+TEST_F(Xyz, NumbersOfTheWholeStandInTheHeader) {
+  PolygonScene scene = sample_scene();
+  scene.numbers = {{"pressure", 1.0 / 3}, {"uniaxial_strain", 0.25}};
+  const XyzFrame frame = write_and_read({scene})[0];
+  EXPECT_EQ(std::stod(frame.key("pressure")), 1.0 / 3);
+  EXPECT_EQ(frame.key("uniaxial_strain"), "0.25");
+}
+
+TEST_F(Xyz, NamesATypeForEachKindAndSize) {
   PolygonScene scene = sample_scene();
   scene.begin = {0, 3, 4, 5, 6, 9};
   scene.radius = {0.3, 0.3, 0.3, 0.7, 0.1, 0.7, 0.3, 0.3, 0.3};
   scene.of_bodies.clear();
-  EXPECT_EQ(write_and_read({scene})[0].species,
+  EXPECT_EQ(write_and_read({scene})[0].types,
             (std::vector<std::string>{"polygon1", "polygon1", "polygon1", "disc2", "disc3", "disc2", "polygon1",
                                       "polygon1", "polygon1"}));
 }
@@ -136,7 +154,7 @@ TEST_F(Xyz, AppendsFramesThatMayDifferInSize) {
   second.of_bodies.clear();
   const std::vector<XyzFrame> frames = write_and_read({sample_scene(), second, sample_scene()});
   ASSERT_EQ(frames.size(), 3u);
-  EXPECT_EQ(frames[1].species.size(), 3u);
+  EXPECT_EQ(frames[1].types.size(), 3u);
   EXPECT_EQ(frames[1].key("Time"), "2");
   EXPECT_EQ(frames[2].columns, frames[0].columns);
 }

@@ -4,6 +4,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/suspension.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 
 /// Rows of the table of a motion, whatever its number of steps.
 constexpr std::int64_t rows = 1000;
-
-std::int64_t interval(std::int64_t steps, std::int64_t wanted) { return std::max<std::int64_t>(1, steps / wanted); }
 
 }  // namespace
 
@@ -52,14 +51,16 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   begin_packing(packing, derived_motion(c, packing, dt), recorder);
   recorder.value(protocol_group, {"dt", "", "time step; a continuation takes it over"}, dt);
   recorder.declare("motion", motion_columns(packing));
-  const std::int64_t steps = c.time.steps, per_row = interval(steps, rows),
-                     per_frame = interval(steps, c.output.frames);
+  const std::int64_t steps = c.time.steps, per_row = std::max<std::int64_t>(1, steps / rows);
+  FrameSchedule frames(steps, c.output.frames);
+  const Surroundings surroundings = environment_of(packing).is_closed() ? Surroundings::closed : Surroundings::open;
   LastGood good(packing);
   try {
     for (std::int64_t i = 0; i < steps; ++i) {
-      if (i % per_frame == 0 || i % look_interval(steps) == 0) good.look();
+      const bool keeps_frame = frames.due(i);
+      if (keeps_frame || i % look_interval(steps) == 0) good.look();
       if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
-      if (i % per_frame == 0) recorder.frame(packing_frame(packing, report_packing(packing)));
+      if (keeps_frame) recorder.frame(packing_frame(packing, report_packing(packing), surroundings));
       dynamics.advance(s, dt);
       if (i % 256 == 0) recorder.progress("dynamics", i, steps);
       if (recorder.stop_requested())
@@ -72,8 +73,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   }
   recorder.progress("dynamics", steps, steps);
   recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
-  const bool closed = environment_of(packing).is_closed();
-  record_packing(packing, {}, recorder, closed ? Surroundings::closed : Surroundings::open);
+  record_packing(packing, {}, recorder, surroundings);
 }
 
 }  // namespace supple

@@ -5,6 +5,7 @@
 #include "supple/core/expression.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
+#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/stress_table.hpp"
@@ -70,20 +71,25 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
-  const std::int64_t every = c.is_given("output.frames") ? std::max<std::int64_t>(1, steps / c.output.frames) : 1;
+  FrameSchedule frames(steps, c.is_given("output.frames") ? c.output.frames : steps + 1);
   std::int64_t stopped_after = 0;
   for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {
     const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
-    if (i % every == 0) recorder.frame(frame_of(s, evaluation, rates));
+    if (frames.due(i)) recorder.frame(frame_of(s, evaluation, rates));
     s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
     if (recorder.stop_requested()) stopped_after = i + 1;
   }
   recorder.progress("dynamics", steps, steps);
   const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
-  table.finish(s.system, s.stepper->evaluate(s.system, rates));
+  const Evaluation<2>& last = s.stepper->evaluate(s.system, rates);
+  if (stopped_after == 0) {
+    table.append(s.system, last, rates.now);
+    recorder.frame(frame_of(s, last, rates));
+  }
+  table.finish(s.system, last);
   if (stopped_after > 0)
     throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(stopped_after));
 }

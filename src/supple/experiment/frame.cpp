@@ -1,6 +1,7 @@
 #include "supple/experiment/frame.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "supple/model/links.hpp"
@@ -29,18 +30,36 @@ Frame frame_of_sites(const System<2>& system, const Evaluation<2>& evaluation) {
   return frame;
 }
 
+/// Two corners that meet head on act on each other's edges: one contact.
+void join(ContactRow& row, const ContactRow& other) {
+  row.normal_force += other.normal_force;
+  row.elastic += other.elastic;
+  row.force += other.force;
+}
+
 }  // namespace
 
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
   const PairTable& pairs = system.pairs;
   Frame frame = frame_of_sites(system, evaluation);
+  std::vector<Mat2> stress(system.state.position.size());
+  const auto add_to_discs = [&](const PairForce<2>& p, std::int32_t i, std::int32_t j) {
+    const Vec2 force = force_on_first(p), from_second = -p.distance * p.normal;
+    for (const std::int32_t disc : {i, j}) {
+      const double radius = system.state.radius[disc];
+      stress[disc].add_outer(0.5 / (std::numbers::pi * radius * radius), force, from_second);
+    }
+  };
   for (int row = 0; row < pairs.size(); ++row) {
     if (evaluation.trial_state[row] == ContactState::open) continue;
     const PairForce<2>& p = evaluation.pair[row];
+    add_to_discs(p, pairs.first[row], pairs.second[row]);
     const double* u = &evaluation.trial_history[static_cast<std::size_t>(row) * pairs.width];
     frame.contacts.push_back({pairs.first[row], pairs.second[row], evaluation.trial_state[row], u[0],
-                              u[pairs.width - 1], p.elastic + p.viscous, p.tangential});
+                              u[pairs.width - 1], p.elastic + p.viscous, p.tangential, p.elastic, p.viscous,
+                              force_on_first(p)});
   }
+  add_stresses(frame.body, stress);
   return frame;
 }
 
@@ -49,16 +68,23 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
   for (const SiteContact& c : site_contacts(system, records, law))
-    rows.push_back(
-        {std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0, c.normal_force(), 0});
+    rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0, c.normal_force(), 0,
+                    c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
   const auto pair = [](const ContactRow& row) { return std::pair(row.first, row.second); };
   std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return pair(a) < pair(b); });
   std::size_t kept = 0;
   for (std::size_t k = 1; k < rows.size(); ++k)
-    if (pair(rows[k]) == pair(rows[kept])) rows[kept].normal_force += rows[k].normal_force;
+    if (pair(rows[k]) == pair(rows[kept])) join(rows[kept], rows[k]);
     else rows[++kept] = rows[k];
   if (!rows.empty()) rows.resize(kept + 1);
   return frame;
+}
+
+void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress) {
+  constexpr const char* names[2][2] = {{"stress_xx", "stress_xy"}, {"stress_yx", "stress_yy"}};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      for (const Mat2& s : stress) numbers[names[i][j]].push_back(s[i][j]);
 }
 
 RunInfo make_run_info(const System<2>& system, const Units& units) {

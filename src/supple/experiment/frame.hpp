@@ -14,6 +14,10 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const std::vector<ContactRecord<2>>& records,
                  const Harmonic& law);
 
+/// The stress tensor of each body, compression positive, as numbers stress_xx ... stress_yy; xy: force along x, line of
+/// action along y. Of a disc: (1/2 pi r^2) sum F l^T over its contacts.
+void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress);
+
 /// What a run is: sizes and masses of the sites, their bodies or, of discs, crosslinked particles.
 RunInfo make_run_info(const System<2>& system, const Units& units);
 

@@ -10,6 +10,7 @@
 #include "supple/core/whole_number.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
+#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
@@ -96,21 +97,6 @@ double scaffold_modulus(const MicrogelConstants& k) {
   return 0.25 * std::numbers::sqrt3 * (k.law.link.k + k.law.link.k_t);
 }
 
-/// Instants of which frames are kept: evenly spaced over the protocol, the first and the last included.
-class FrameSchedule {
- public:
-  FrameSchedule(std::int64_t rows, int frames) : last_(rows - 1), intervals_(std::max(frames - 1, 1)) {}
-  bool due(std::int64_t row) {
-    if (row < std::llround(static_cast<double>(next_) * static_cast<double>(last_) / intervals_)) return false;
-    ++next_;
-    return true;
-  }
-
- private:
-  std::int64_t last_;
-  int intervals_, next_ = 0;
-};
-
 }  // namespace
 
 std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial) {
@@ -147,7 +133,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
-  FrameSchedule frames(protocol.rows, std::max(c.output.images, c.output.frames));
+  FrameSchedule frames(protocol.rows - 1, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
     const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);

@@ -13,12 +13,33 @@ namespace supple {
 
 namespace {
 
-/// Pressure of each body on its covered area.
-std::vector<double> body_pressures(const Packing& packing, const PackingReport& r) {
-  std::vector<double> out;
-  for (const Mat2& stress : r.stresses.of_bodies(r.fraction.area))
-    out.push_back(pressure(stress) / packing.pressure_unit);
-  return out;
+/// Stress of each body on its covered area, and the pressure that it means.
+void add_body_stresses(Frame& frame, const Packing& packing, const PackingReport& r) {
+  std::vector<Mat2> stresses = r.stresses.of_bodies(r.fraction.area);
+  for (Mat2& stress : stresses) {
+    stress = (1 / packing.pressure_unit) * stress;
+    frame.body["pressure"].push_back(pressure(stress));
+  }
+  add_stresses(frame.body, stresses);
+}
+
+/// Energies of the whole by term and, where the particles fill a cell, its stress and that of the contacts.
+void add_numbers(Frame& frame, const Packing& packing, const PackingReport& r, Surroundings surroundings) {
+  const EnergyParts& e = r.evaluation.energy;
+  frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system)}, {"shape_energy", e.terms},
+                   {"contact_energy", e.elastic},  {"wall_energy", e.wall},
+                   {"external_energy", e.external}};
+  if (surroundings == Surroundings::open) return;
+  const Mat2 total = (1 / packing.pressure_unit) * r.stresses.total(),
+             contact = (1 / packing.pressure_unit) * r.stresses.contact;
+  frame.numbers["packing_fraction"] = r.fraction.total;
+  frame.numbers["pressure"] = pressure(total);
+  constexpr const char* components[2][2] = {{"_xx", "_xy"}, {"_yx", "_yy"}};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      frame.numbers[std::string("stress") + components[i][j]] = total[i][j];
+      frame.numbers[std::string("contact_stress") + components[i][j]] = contact[i][j];
+    }
 }
 
 template <class T>
@@ -120,9 +141,10 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& r, 
           static_cast<double>(r.soundness.bodies())};
 }
 
-Frame packing_frame(const Packing& packing, const PackingReport& r) {
+Frame packing_frame(const Packing& packing, const PackingReport& r, Surroundings surroundings) {
   Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->law());
-  frame.body["pressure"] = body_pressures(packing, r);
+  add_body_stresses(frame, packing, r);
+  add_numbers(frame, packing, r, surroundings);
   frame.body["area"] = r.fraction.area;
   frame.body["shape_parameter"] = r.shapes.shape_parameter;
   frame.body["contacts"] = as_numbers(r.network.contacts_of_bodies());
@@ -154,7 +176,7 @@ Environment environment_of(const Packing& packing) {
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings) {
   const PackingReport r = report_packing(packing);
-  recorder.frame(packing_frame(packing, r));
+  recorder.frame(packing_frame(packing, r, surroundings));
   const bool moves = progress.minimisations == 0, open = surroundings == Surroundings::open;
   const auto is_left_out = [&](const std::string& name) {
     const bool of_cell =

@@ -49,12 +49,14 @@ inline constexpr const char* unsound_meaning =
 std::vector<Column> packing_columns(const Packing& packing);
 std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
 
-/// The instant of the report: positions, forces, contacts, and of each body its pressure, shape, contacts.
-Frame packing_frame(const Packing& packing, const PackingReport& report);
-
 /// Closed: particles fill a cell. Open: they lie where there is room: neither a packing fraction nor a
 /// stress.
 enum class Surroundings { closed, open };
+
+/// The instant of the report: positions, forces, contacts, of each body its stress, shape, contacts; energies and,
+/// closed, stresses of the whole.
+Frame packing_frame(const Packing& packing, const PackingReport& report,
+                    Surroundings surroundings = Surroundings::closed);
 
 /// Results of a packing, its last frame and its state. Warns of what the reader must know: bodies inside
 /// others, minimisations that did not converge. Without minimisations in `progress` the particles move: no

@@ -22,11 +22,17 @@ struct ContactRow {
   std::int32_t first, second;
   ContactState state;
   double elongation, elongation_back;
-  double normal_force, tangential_force;
+  double normal_force;      ///< elastic + viscous; positive: pushes apart
+  double tangential_force;  ///< on `first` along t = (-n_y, n_x), n from first to second
+  double elastic = 0, viscous = 0;  ///< parts of the normal force: of the repulsion or link, of the dashpot
+  Vec2 force{};                     ///< on `first`; its opposite acts on `second`
 };
 
 /// Numbers of bodies by name: "pressure", "shape_parameter", ...; one for each body.
 using BodyNumbers = std::map<std::string, std::vector<double>>;
+
+/// Numbers of the whole system by name: "pressure", "elastic_energy", ...
+using SystemNumbers = std::map<std::string, double>;
 
 /// The whole system at one instant, for trajectories and pictures. Values in the run's units.
 struct Frame {
@@ -37,8 +43,14 @@ struct Frame {
   std::vector<Mobility> mobility;
   std::vector<ContactRow> contacts;
   Vec2 length{};     ///< of the cell at this instant; (0, 0): that of the run
-  BodyNumbers body;  ///< the same names in all frames of a run
+  BodyNumbers body;        ///< the same names in all frames of a run
+  SystemNumbers numbers;  ///< these too
 };
+
+/// Whether two frames are of the same moment: an instant is kept once, by the first that gives it.
+inline bool same_instant(const Frame& a, const Frame& b) {
+  return a.step == b.step && a.time == b.time && a.position == b.position;
+}
 
 /// What a run is, written before the first step. Sites keep size and mass, so they stand here and not in frames.
 struct RunInfo {
@@ -93,7 +105,9 @@ class MemoryRecorder : public Recorder {
   void append(const std::string& table, std::span<const double> row) override {
     tables[table].rows.emplace_back(row.begin(), row.end());
   }
-  void frame(const Frame& f) override { frames.push_back(f); }
+  void frame(const Frame& f) override {
+    if (frames.empty() || !same_instant(frames.back(), f)) frames.push_back(f);
+  }
   void value(const std::string& group, const Column& name, double v, double error) override {
     values[group].push_back({name, v, error});
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
@@ -153,18 +154,21 @@ class MovingHeap {
   void take_frame() {
     good_.look();
     widen_box();
-    recorder_.frame(packing_frame(packing_, report_packing(packing_)));
+    recorder_.frame(packing_frame(packing_, report_packing(packing_), Surroundings::open));
   }
   /// Pictures show all of a heap that has spread.
   void widen_box() {
     if (!packing_.field->walls()->stands[flow][1])
       packing_.system.box.length[flow] = std::max(packing_.system.box.length[flow], 1.05 * heap_.front);
   }
+  /// An instant has one row.
   void append() {
     heap_ =
         measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
     if (!std::isfinite(heap_.spread + heap_.height)) good_.look();  // throws, back at the last good state
+    if (last_row_ == packing_.system.step) return;
     recorder_.append("motion", heap_row(heap_));
+    last_row_ = packing_.system.step;
   }
 
   const Case& case_;
@@ -174,6 +178,7 @@ class MovingHeap {
   BodyDynamics dynamics_;
   LastGood good_;
   std::int64_t per_row_ = 1, per_frame_ = 1;
+  std::optional<std::int64_t> last_row_;
   Heap heap_;
 };
 

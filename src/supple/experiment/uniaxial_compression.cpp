@@ -7,6 +7,7 @@
 #include "supple/core/whole_number.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
@@ -107,19 +108,22 @@ void count(JamProgress& work, const MinimiseReport& done) {
 void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& recorder) {
   const double height = packing.system.box.length[gradient];
   const std::int64_t steps = wall_steps(c);
-  const std::int64_t every = std::max<std::int64_t>(1, steps / c.output.frames);
+  FrameSchedule frames(steps, c.output.frames);
   LastGood good(packing);
   for (std::int64_t k = 0; k <= steps; ++k) {
     const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
     lower_wall(packing.system, height * (1 - strain));
-    packing.system.time = strain;
     const MinimiseReport report = relax(packing);
     count(work, report);
     require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
     remember(packing, report, good.look());
     const PackingReport row = report_packing(packing);
     recorder.append("packing", uniaxial_row(packing, row, work, strain));
-    if (k % every == 0 && k < steps) recorder.frame(packing_frame(packing, row));
+    if (frames.due(k)) {
+      Frame frame = packing_frame(packing, row);
+      frame.numbers["uniaxial_strain"] = strain;
+      recorder.frame(frame);
+    }
     recorder.progress(fmt::format("compress: strain {:.3f}", strain), k, steps);
     if (recorder.stop_requested())
       throw Error(ErrorKind::interrupted, fmt::format("interrupted at strain {:.4f}", strain));

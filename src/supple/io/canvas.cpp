@@ -81,6 +81,16 @@ std::string encode_jpeg(cairo_surface_t* image) {
 
 }  // namespace
 
+namespace {
+
+/// Of the header of PostScript, so that the same picture has the same bytes.
+void remove_date(std::string& bytes) {
+  const std::size_t begin = bytes.find("\n%%CreationDate:");
+  if (begin != std::string::npos) bytes.erase(begin, bytes.find('\n', begin + 1) - begin);
+}
+
+}  // namespace
+
 PictureFormat picture_format(const std::string& path) {
   if (path == standard_output) return PictureFormat::png;
   const std::size_t dot = path.find_last_of("./");
@@ -109,6 +119,7 @@ struct Canvas::Surface {
         break;
       case PictureFormat::pdf:
         surface = cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height);
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same bytes each time
         break;
       case PictureFormat::ps: surface = cairo_ps_surface_create_for_stream(append_bytes, &bytes, width, height); break;
       default:
@@ -267,6 +278,7 @@ void Canvas::finish() {
     cairo_surface_finish(surface_->surface);
   }
   NewFile file(path_, Existing::replace);
+  if (surface_->format == PictureFormat::ps) remove_date(bytes);
   file.write(bytes);
   file.commit();
 }

@@ -67,12 +67,17 @@ struct Columns {
   }
 };
 
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
 void export_table(const RunFile& run, const std::string& table, CsvFile& csv) {
   Columns columns;
-  for (const Column& column : run.columns(table)) columns.add(run, column.name, column.name, table);
+  for (const Column& column : run.columns(table))
+    columns.add(run, column.name, with_unit(column.name, column.unit), table);
   for (const std::string& name : columns.names) csv.cell(name);
   csv.end_row();
-  for (std::size_t row = 0; row < columns.values.at(0).size(); ++row) {
+  for (std::size_t row = 0; !columns.values.empty() && row < columns.values[0].size(); ++row) {
     columns.append_row(csv, row);
     csv.end_row();
   }
@@ -152,7 +157,7 @@ std::string neighbors_text(const Frame& frame, double to_length) {
   return text;
 }
 
-void export_trajectory(const RunFile& run, CsvFile& csv) {
+void write_trajectory(const RunFile& run, CsvFile& csv) {
   const RunInfo info = run.info();
   const Factors to(info.units);
   const Columns stresses = trajectory_stresses(run);
@@ -182,14 +187,61 @@ void export_trajectory(const RunFile& run, CsvFile& csv) {
   }
 }
 
+/// Factors from the units of a run to SI; 1 where it has none.
+struct Si {
+  explicit Si(const Units& units)
+      : has_units(units.name != reduced_units().name), to(units, has_units ? si_units() : units) {}
+  std::string name(const char* name, const char* unit) const { return with_unit(name, has_units ? unit : ""); }
+  bool has_units;
+  Factors to;
+};
+
+void write_contacts(const RunFile& run, CsvFile& csv) {
+  const Si si(run.info().units);
+  for (const std::string& name :
+       {std::string("frame"), si.name("t", "s"), std::string("first"), std::string("second"), std::string("state"),
+        si.name("elongation", "m"), si.name("normal_force", "N/m"), si.name("elastic_force", "N/m"),
+        si.name("viscous_force", "N/m"), si.name("tangential_force", "N/m"), si.name("force_on_first_x", "N/m"),
+        si.name("force_on_first_y", "N/m")})
+    csv.cell(name);
+  csv.end_row();
+  for (std::int64_t k = 0; k < run.frames(); ++k) {
+    const Frame frame = run.frame(k);
+    for (const ContactRow& c : frame.contacts) {
+      csv.cell(k);
+      csv.cell(frame.time * si.to.time);
+      csv.cell(std::int64_t{c.first});
+      csv.cell(std::int64_t{c.second});
+      csv.cell(std::string(state_name(c.state)));
+      csv.cell(c.elongation * si.to.length);
+      for (const double force : {c.normal_force, c.elastic, c.viscous, c.tangential_force, c.force[0], c.force[1]})
+        csv.cell(force * si.to.force);
+      csv.end_row();
+    }
+  }
+}
+
 }  // namespace
 
 void export_csv(const RunFile& run, const std::string& path, Existing existing) {
   CsvFile csv(path, existing);
-  if (run.has_table("packing")) export_table(run, "packing", csv);
-  else if (run.has_table("motion")) export_table(run, "motion", csv);
-  else if (run.experiment() == "dynamics") export_trajectory(run, csv);
-  else export_table(run, "stress", csv);
+  for (const char* table : {"packing", "motion", "stress"})
+    if (run.has_table(table) || table == std::string("stress")) {
+      export_table(run, table, csv);
+      break;
+    }
+  csv.commit();
+}
+
+void export_trajectory(const RunFile& run, const std::string& path, Existing existing) {
+  CsvFile csv(path, existing);
+  write_trajectory(run, csv);
+  csv.commit();
+}
+
+void export_contacts(const RunFile& run, const std::string& path, Existing existing) {
+  CsvFile csv(path, existing);
+  write_contacts(run, csv);
   csv.commit();
 }
 

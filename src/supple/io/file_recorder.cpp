@@ -1,10 +1,12 @@
 #include "supple/io/file_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "supple/core/error.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/run_merge.hpp"
 #include "supple/io/system_archive.hpp"
 
 namespace supple {
@@ -17,42 +19,15 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
-/// Writes one HDF5 file under a temporary name, then gives it its name.
-template <class Write>
-void write_complete(const std::string& temporary, const std::string& path, Existing existing, Write&& write) {
-  {
-    h5::Group root = h5::create_file(temporary);
-    write(root);
-    root.flush();
-  }
-  publish_file(temporary, path, existing);
-}
-
-void append_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
+void write_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
                   const std::vector<double>& rows) {
   h5::Group table = tables.create_group(name);
   std::vector<double> values(columns.empty() ? 0 : rows.size() / columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    h5::Object column = table.create_rows<double>(columns[c].name);
+    for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns.size() + c];
+    h5::Object column = table.write(columns[c].name, values);
     column.set("unit", columns[c].unit);
     column.set("meaning", columns[c].meaning);
-    for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns.size() + c];
-    table.append_rows(columns[c].name, values);
-  }
-}
-
-/// Appends each member of the group `name` of `from`, arrays that grow and groups of such, to the same in `to`.
-void merge_rows(h5::Group& to, const h5::Group& from, const std::string& name) {
-  if (!from.has(name)) return;
-  const h5::Group source = from.open_group(name);
-  h5::Group group = to.has(name) ? to.open_group(name) : to.create_group(name);
-  for (const std::string& member : source.names()) {
-    if (source.is_group(member)) {
-      merge_rows(group, source, member);
-      continue;
-    }
-    if (!group.has(member)) group.create_rows_like(source, member);
-    group.append_rows_of(source, member);
   }
 }
 
@@ -119,12 +94,24 @@ void FileRecorder::append(const std::string& table, std::span<const double> row)
 }
 
 void FileRecorder::frame(const Frame& frame) {
+  if (last_frame_ && same_instant(*last_frame_, frame)) return;
+  if (!last_frame_) first_numbers_ = frame.numbers;
   std::map<std::string, std::size_t> numbers;
   for (const auto& [name, values] : frame.body) numbers[name] = values.size();
   if (!body_numbers_) body_numbers_ = numbers;
   if (numbers != *body_numbers_)
     throw input_error("a frame has other numbers of bodies than the first one", "all frames of a run are alike");
   frames_.push_back(frame);
+  SystemNumbers& of_all = frames_.back().numbers;
+  of_all = {};
+  for (const auto& [name, value] : first_numbers_) {
+    const auto at = frame.numbers.find(name);
+    of_all[name] = at == frame.numbers.end() ? std::nan("") : at->second;
+  }
+  last_frame_.emplace();
+  last_frame_->step = frame.step;
+  last_frame_->time = frame.time;
+  last_frame_->position = frame.position;
   std::size_t bytes = frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
   for (const auto& [name, values] : frame.body) bytes += values.size() * sizeof(double);
   count(bytes);
@@ -150,7 +137,9 @@ void FileRecorder::count(std::size_t bytes) {
 
 void FileRecorder::write_segment() {
   const std::string path = folder_ + "/" + segment_name(segments_);
-  write_complete(path + ".tmp", path, Existing::refuse, [&](h5::Group& root) { write_new(root); });
+  h5::Group root = h5::create_file(path);
+  write_new(root);
+  h5::save(root, path);
   for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
   for (auto& [name, table] : tables_) {
     table.rows.clear();
@@ -169,8 +158,8 @@ void FileRecorder::write_new(h5::Group& root) {
   if (segments_ == 0) write_header(root, case_, case_text_, *info_);
   h5::Group tables = root.create_group("tables");
   for (const auto& [name, table] : tables_)
-    if (table.fresh || !table.rows.empty()) append_table(tables, name, table.columns, table.rows);
-  append_frames(root, frames_, info_->units, contacts_);
+    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows);
+  write_frames(root, frames_, info_->units, contacts_);
   for (const auto& [group, value] : values_) {
     h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
     if (target.has(value.name.name)) target.remove(value.name.name);
@@ -186,34 +175,16 @@ void FileRecorder::write_new(h5::Group& root) {
 }
 
 void FileRecorder::finish(const std::string& status) {
-  if (info_) write_segment();
-  finished_ = true;  // whatever the merge meets, the segments are complete
-  if (info_) merge(status);
+  try {
+    if (info_) write_segment();
+    finished_ = true;  // whatever the merge meets, the segments are complete
+    if (info_) save_merged(RunFile(folder_), status, path_, existing_);
+  } catch (const Error& e) {
+    if (segments_ == 0) throw;
+    throw Error(e.kind(), e.what(), "", "what is complete is in " + folder_ + ", which every command reads");
+  }
   std::error_code error;
   fs::remove_all(folder_, error);
-}
-
-void FileRecorder::merge(const std::string& status) {
-  const RunFile run(folder_);
-  write_complete(folder_ + "/merged.tmp", path_, existing_, [&](h5::Group& root) {
-    write_header(root, case_, case_text_, *info_);
-    root.set("status", status);
-    h5::Group tables = root.create_group("tables");
-    std::size_t last_state = run.segments();
-    for (std::size_t s = 0; s < run.segments(); ++s) {
-      const h5::Group& segment = run.segment(s);
-      const h5::Group from = segment.open_group("tables");
-      for (const std::string& table : from.names()) merge_rows(tables, from, table);
-      merge_rows(root, segment, "frames");
-      if (segment.has("final_state")) last_state = s;
-    }
-    for (const std::string& group : run.value_groups()) {
-      h5::Group target = root.create_group(group);
-      for (const RunValue& value : run.values(group)) write_value(target, value);
-    }
-    root.write("warnings", run.warnings());
-    if (last_state < run.segments()) root.copy(run.segment(last_state), "final_state");
-  });
 }
 
 }  // namespace supple

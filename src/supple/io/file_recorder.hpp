@@ -61,7 +61,6 @@ class FileRecorder : public Recorder {
   void count(std::size_t bytes);
   void write_segment();
   void write_new(h5::Group& root);
-  void merge(const std::string& status);
 
   std::string path_, folder_;
   Case case_;
@@ -77,7 +76,9 @@ class FileRecorder : public Recorder {
   std::size_t bytes_ = 0;      ///< gathered since the last segment
   std::map<std::string, Table> tables_;
   std::vector<Frame> frames_;
+  std::optional<Frame> last_frame_;  ///< its instant
   std::optional<std::map<std::string, std::size_t>> body_numbers_;  ///< names and lengths in the first frame
+  SystemNumbers first_numbers_;  ///< those of the first frame; where a later one has none it is nan
   std::vector<std::pair<std::string, RunValue>> values_;
   std::vector<std::string> warnings_;
   std::optional<std::pair<System<2>, Evaluation<2>>> final_;

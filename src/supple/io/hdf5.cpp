@@ -106,8 +106,6 @@ Object Group::open_dataset(const std::string& name) const {
   return own(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where());
 }
 
-void Group::flush() { checked(H5Fflush(id(), H5F_SCOPE_GLOBAL), "write", where()); }
-
 void Group::remove(const std::string& name) {
   checked(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), "remove " + name + " from", where());
 }
@@ -117,11 +115,28 @@ void Group::copy(const Group& from, const std::string& name) {
           where());
 }
 
-Group create_file(const std::string& path) {
-  const Object list(H5Pcreate(H5P_FILE_CREATE));
+void Group::copy_attributes(const Object& from) { copy_all_attributes(from.id(), id(), from.where()); }
+
+Group create_file(const std::string& name) {
+  const Object list(H5Pcreate(H5P_FILE_CREATE)), access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  const Object file(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, list.id(), H5P_DEFAULT), "create", path));
-  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", path));
+  H5Pset_istore_k(list.id(), 8);  // small nodes: most arrays have few pieces
+  // What version 1.8 and later read: compact headers, with checksums.
+  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
+  H5Pset_fapl_core(access.id(), std::size_t{1} << 20, 0);
+  const Object file(checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, list.id(), access.id()), "create", name));
+  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", name));
+}
+
+void save(Group& root, const std::string& path, Existing existing) {
+  const Object file(checked(H5Iget_file_id(root.id()), "write", root.where()));
+  checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root.where());
+  const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root.where());
+  void** bytes = nullptr;
+  checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, reinterpret_cast<void**>(&bytes)), "write", root.where());
+  NewFile out(path, existing);
+  out.write({static_cast<const char*>(*bytes), static_cast<std::size_t>(size)});
+  out.commit();
 }
 
 Group open_file(const std::string& path) {

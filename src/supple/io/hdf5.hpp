@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "supple/io/new_file.hpp"
+
 namespace supple::h5 {
 
 /// Lengths of an array, outermost first.
@@ -39,7 +41,9 @@ class Object {
   std::int64_t id_ = -1;
 };
 
-/// A group. Element types T: double, std::int32_t, std::int64_t, std::uint8_t, std::string (UTF-8, any length).
+/// A group. Element types T: double, std::int32_t, std::int64_t, std::uint8_t, std::string (UTF-8; written with a fixed
+/// length, which every reader knows; read with any). What is read is checked first: no array larger than its file can
+/// hold, no text that is not UTF-8.
 class Group : public Object {
  public:
   using Object::Object;
@@ -52,13 +56,14 @@ class Group : public Object {
   Group create_group(const std::string& name);
   Group open_group(const std::string& name) const;
   Object open_dataset(const std::string& name) const;
-  /// Writes what HDF5 still holds in memory: the place where a full disk shows.
-  void flush();
   void remove(const std::string& name);
   /// Copies the member of `from` with everything below it.
   void copy(const Group& from, const std::string& name);
+  /// Copies all attributes of `from`.
+  void copy_attributes(const Object& from);
 
-  /// An array of fixed size; an empty shape stands for one dimension with all values.
+  /// An array; an empty shape stands for one dimension with all values. What is small stands compact in the header of
+  /// the dataset, the rest in compressed pieces with a checksum each.
   template <class T>
   Object write(const std::string& name, std::span<const T> values, const Shape& shape = {});
   template <class T>
@@ -69,19 +74,11 @@ class Group : public Object {
   template <class T>
   Object write_scalar(const std::string& name, const T& value);
 
-  /// An array that grows along its first dimension; `row` holds the other lengths.
-  template <class T>
-  Object create_rows(const std::string& name, const Shape& row = {});
-  template <class T>
-  void append_rows(const std::string& name, std::span<const T> values);
-  template <class T>
-  void append_rows(const std::string& name, const std::vector<T>& values) {
-    append_rows(name, std::span<const T>(values));
-  }
-  /// Creates `name` like the growing dataset of that name in `from`, its text attributes too, with no rows.
-  void create_rows_like(const Group& from, const std::string& name);
-  /// Appends all rows of `from`, whatever their type.
-  void append_rows_of(const Group& from, const std::string& name);
+  /// Creates `name` like that array of numbers in `from`, its attributes too, for `rows` rows, to be filled by
+  /// write_rows_of.
+  Object create_like(const Group& from, const std::string& name, std::uint64_t rows);
+  /// Writes all rows of that array in `from`, whatever their type, from row `first` on.
+  void write_rows_of(const Group& from, const std::string& name, std::uint64_t first);
 
   Shape shape(const std::string& name) const;
   /// All values, row after row. The type is converted where the file holds another number type.
@@ -94,8 +91,11 @@ class Group : public Object {
   std::vector<T> read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const;
 };
 
-/// The root group of a new file; the file closes with its last open object. A file of that name goes.
-Group create_file(const std::string& path);
+/// The root group of a new file in memory, `name` for errors: HDF5 itself does not survive a disk that is full. The
+/// file goes with its last open object.
+Group create_file(const std::string& name);
+/// Writes the whole file that `root` belongs to, complete or not at all.
+void save(Group& root, const std::string& path, Existing existing = Existing::refuse);
 /// The root group of a file, read only. The error tells a missing, unreadable, foreign and truncated file apart.
 Group open_file(const std::string& path);
 

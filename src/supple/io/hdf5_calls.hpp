@@ -2,6 +2,7 @@
 #pragma once
 #include <hdf5.h>
 
+#include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -29,18 +30,15 @@ inline Object own(hid_t id, const std::string& action, const std::string& where)
   return Object(checked(id, action, where));
 }
 
+/// The type of numbers in memory.
 template <class T>
 Object type_of() {
   if constexpr (std::is_same_v<T, double>) return Object(H5Tcopy(H5T_NATIVE_DOUBLE));
   else if constexpr (std::is_same_v<T, std::int32_t>) return Object(H5Tcopy(H5T_NATIVE_INT32));
   else if constexpr (std::is_same_v<T, std::int64_t>) return Object(H5Tcopy(H5T_NATIVE_INT64));
-  else if constexpr (std::is_same_v<T, std::uint8_t>) return Object(H5Tcopy(H5T_NATIVE_UINT8));
   else {
-    static_assert(std::is_same_v<T, std::string>);
-    const hid_t text = H5Tcopy(H5T_C_S1);
-    H5Tset_size(text, H5T_VARIABLE);
-    H5Tset_cset(text, H5T_CSET_UTF8);
-    return Object(text);
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return Object(H5Tcopy(H5T_NATIVE_UINT8));
   }
 }
 
@@ -50,67 +48,70 @@ inline Object space_of(const Shape& shape) {
                                                  reinterpret_cast<const hsize_t*>(shape.data()), nullptr));
 }
 
-inline Shape shape_of(hid_t space) {
-  Shape shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, reinterpret_cast<hsize_t*>(shape.data()), nullptr);
-  return shape;
-}
+Shape shape_of(hid_t space, const std::string& where);
 
-/// Texts are handed to HDF5 as pointers; other values as they are.
+/// Values as HDF5 takes them: their type, and where they are. Texts become lines of equal length, closed by zeros.
 template <class T>
 struct Buffer {
-  explicit Buffer(std::span<const T> values) : data(values.data()) {}
+  explicit Buffer(std::span<const T> values) : type(type_of<T>()), data(values.data()) {}
+  Object type;
   const void* data;
 };
 template <>
 struct Buffer<std::string> {
-  explicit Buffer(std::span<const std::string> values) {
-    for (const std::string& text : values) pointers.push_back(text.c_str());
-    data = pointers.data();
-  }
-  std::vector<const char*> pointers;
+  explicit Buffer(std::span<const std::string> values);
+  Object type;
+  std::vector<char> lines;
   const void* data;
 };
 
-/// Texts from pointers that HDF5 allocated, which go back to it.
-inline std::vector<std::string> take_texts(std::vector<char*>& pointers, hid_t type, hid_t space) {
-  std::vector<std::string> out;
-  for (const char* text : pointers) out.emplace_back(text ? text : "");
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
-  return out;
+/// How many values a shape means. Throws a file error where the file of `object` cannot hold so many of this type.
+std::size_t believable_count(const Object& object, hid_t type, const Shape& shape, const std::string& where);
+/// Texts of a type of the file, `count` of them, by `read`.
+using ReadTexts = std::function<void(hid_t type, void* to)>;
+std::vector<std::string> read_texts(hid_t file_type, std::size_t count, const std::string& where,
+                                    const ReadTexts& read);
+
+/// Values of this shape from `object` of a file, by `read(memory type, where to)`.
+template <class T, class Read>
+std::vector<T> read_values(const Object& object, const Object& file_type, const Shape& shape, const std::string& where,
+                           Read&& read) {
+  const std::size_t count = believable_count(object, file_type.id(), shape, where);
+  if constexpr (std::is_same_v<T, std::string>) {
+    return read_texts(file_type.id(), count, where, read);
+  } else {
+    std::vector<T> out(count);
+    const Object type = type_of<T>();
+    if (count) read(type.id(), out.data());
+    return out;
+  }
 }
 
 template <class T>
 void set_attribute(hid_t object, const std::string& name, std::span<const T> values, const Shape& shape,
                    const std::string& where) {
   if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
-  const Object type = type_of<T>();
-  const Object space = space_of(shape);
-  const Object attribute = own(H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                               "create attribute " + name + " of", where);
   const Buffer<T> buffer(values);
+  const Object space = space_of(shape);
+  const Object attribute = own(
+      H5Acreate2(object, name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      "create attribute " + name + " of", where);
   if (!values.empty())
-    checked(H5Awrite(attribute.id(), type.id(), buffer.data), "write attribute " + name + " of", where);
+    checked(H5Awrite(attribute.id(), buffer.type.id(), buffer.data), "write attribute " + name + " of", where);
 }
 
 template <class T>
 std::vector<T> get_attribute(hid_t object, const std::string& name, const std::string& where) {
-  const Object attribute = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), "read attribute " + name + " of", where);
-  const Object type = type_of<T>();
-  const Object space(H5Aget_space(attribute.id()));
-  const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
-  const auto read = [&](void* out) {
-    if (count) checked(H5Aread(attribute.id(), type.id(), out), "read attribute " + name + " of", where);
-  };
-  if constexpr (std::is_same_v<T, std::string>) {
-    std::vector<char*> pointers(count);
-    read(pointers.data());
-    return take_texts(pointers, type.id(), space.id());
-  } else {
-    std::vector<T> out(count);
-    read(out.data());
-    return out;
-  }
+  const std::string what = "read attribute " + name + " of";
+  const Object attribute = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), what, where);
+  const Object type = own(H5Aget_type(attribute.id()), what, where);
+  const Object space = own(H5Aget_space(attribute.id()), what, where);
+  return read_values<T>(attribute, type, shape_of(space.id(), where), where, [&](hid_t memory_type, void* out) {
+    checked(H5Aread(attribute.id(), memory_type, out), what, where);
+  });
 }
+
+/// Copies every attribute, whatever its type.
+void copy_all_attributes(hid_t from, hid_t to, const std::string& where);
 
 }  // namespace supple::h5

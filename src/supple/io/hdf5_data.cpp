@@ -1,4 +1,6 @@
-/// Datasets: whole arrays, and arrays that grow by rows.
+/// Datasets: whole arrays, and arrays that are put together from the rows of others.
+#include <algorithm>
+
 #include "supple/io/hdf5_calls.hpp"
 
 namespace supple::h5 {
@@ -10,147 +12,121 @@ std::uint64_t product(const Shape& shape, std::size_t from = 0) {
   return n;
 }
 
-/// Rows a chunk holds: about 64 KiB, so that a table of few columns and a trajectory both read fast.
-std::uint64_t rows_per_chunk(std::uint64_t row_bytes) {
-  const std::uint64_t rows = 65536 / (row_bytes ? row_bytes : 1);
-  return rows < 1 ? 1 : rows;
-}
+/// An array of at most so many bytes stands in the header of its dataset, with its checksum.
+constexpr std::uint64_t compact_bytes = 2048;
+/// A scalar has no pieces: it stands there up to the most that a header takes.
+constexpr std::uint64_t header_bytes = 60000;
+/// A piece holds about so many: one that is read for a single frame costs little.
+constexpr std::uint64_t piece_bytes = 32768;
 
-/// Reads the rows selected by `file_space` (all where it is H5S_ALL) into `count` values.
-template <class T>
-std::vector<T> read_selection(const Object& dataset, hid_t memory_space, hid_t file_space, std::uint64_t count) {
-  const Object type = type_of<T>();
-  const auto read = [&](void* out) {
-    if (count)
-      checked(H5Dread(dataset.id(), type.id(), memory_space, file_space, H5P_DEFAULT, out), "read", dataset.where());
-  };
-  if constexpr (std::is_same_v<T, std::string>) {
-    std::vector<char*> pointers(count);
-    read(pointers.data());
-    const Object space = space_of({count});
-    return take_texts(pointers, type.id(), space.id());
-  } else {
-    std::vector<T> out(count);
-    read(out.data());
-    return out;
+/// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout without pieces.
+Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
+  Object list(H5Pcreate(H5P_DATASET_CREATE));
+  const std::uint64_t bytes = product(shape) * value_bytes;
+  if (bytes > 0 && bytes <= compact_bytes) {
+    H5Pset_layout(list.id(), H5D_COMPACT);
+    return list;
   }
+  Shape piece = shape;
+  for (std::uint64_t& length : piece) length = std::max<std::uint64_t>(1, length);
+  const std::uint64_t row = std::max<std::uint64_t>(1, product(piece, 1) * value_bytes);
+  piece[0] = std::clamp<std::uint64_t>(piece_bytes / row, 1, piece[0]);
+  // A row of more than 64 MiB is cut, as pieces must stay below 4 GiB.
+  for (std::size_t d = 1; d < piece.size(); ++d)
+    while (product(piece, d) * value_bytes > std::uint64_t{1} << 26 && piece[d] > 1) piece[d] = (piece[d] + 1) / 2;
+  H5Pset_chunk(list.id(), static_cast<int>(piece.size()), reinterpret_cast<const hsize_t*>(piece.data()));
+  H5Pset_shuffle(list.id());
+  H5Pset_deflate(list.id(), 1);
+  H5Pset_fletcher32(list.id());
+  return list;
 }
 
-/// Makes room for `rows` more rows of a dataset and writes them there; `values` has the memory type `type`.
-void extend(const Object& dataset, hid_t type, std::uint64_t rows, const void* values) {
-  if (rows == 0) return;
-  Shape shape;
-  { const Object space(H5Dget_space(dataset.id())); shape = shape_of(space.id()); }
-  Shape start(shape.size(), 0), count = shape;
-  start[0] = shape[0];
-  count[0] = rows;
-  shape[0] += rows;
-  checked(H5Dset_extent(dataset.id(), reinterpret_cast<const hsize_t*>(shape.data())), "extend", dataset.where());
-  const Object file_space(H5Dget_space(dataset.id()));
-  H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, reinterpret_cast<const hsize_t*>(start.data()), nullptr,
-                      reinterpret_cast<const hsize_t*>(count.data()), nullptr);
-  const Object memory_space = space_of(count);
-  checked(H5Dwrite(dataset.id(), type, memory_space.id(), file_space.id(), H5P_DEFAULT, values), "write",
-          dataset.where());
-}
-
-Object create_growing(hid_t group, const std::string& name, hid_t type, const Shape& row, const std::string& where) {
-  Shape shape{0}, chunk, limit{H5S_UNLIMITED};
-  shape.insert(shape.end(), row.begin(), row.end());
-  limit.insert(limit.end(), row.begin(), row.end());
-  chunk = shape;
-  chunk[0] = rows_per_chunk(product(row) * H5Tget_size(type));
-  for (std::uint64_t& length : chunk) length = length ? length : 1;
+Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape, const std::string& where) {
+  Shape limit = shape;
+  for (std::uint64_t& length : limit) length = length ? length : H5S_UNLIMITED;
   const Object space(H5Screate_simple(static_cast<int>(shape.size()), reinterpret_cast<const hsize_t*>(shape.data()),
                                       reinterpret_cast<const hsize_t*>(limit.data())));
-  const Object list(H5Pcreate(H5P_DATASET_CREATE));
-  H5Pset_chunk(list.id(), static_cast<int>(chunk.size()), reinterpret_cast<const hsize_t*>(chunk.data()));
-  H5Pset_attr_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  const Object list = layout_of(shape, H5Tget_size(type));
   return own(H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
              "create " + name + " in", where);
+}
+
+/// Selects rows [first, first + count) of a space.
+void select_rows(hid_t space, Shape shape, std::uint64_t first, std::uint64_t count) {
+  Shape start(shape.size(), 0);
+  start[0] = first;
+  shape[0] = count;
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, reinterpret_cast<const hsize_t*>(start.data()), nullptr,
+                      reinterpret_cast<const hsize_t*>(shape.data()), nullptr);
 }
 
 }  // namespace
 
 template <class T>
 Object Group::write(const std::string& name, std::span<const T> values, const Shape& shape) {
-  const Shape lengths = shape.empty() ? Shape{values.size()} : shape;
-  const Object type = type_of<T>();
-  const Object space = space_of(lengths);
-  Object dataset = own(H5Dcreate2(id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                       "create " + name + " in", where());
   const Buffer<T> buffer(values);
+  Object dataset =
+      create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape, where());
   if (!values.empty())
-    checked(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write", dataset.where());
+    checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
+            dataset.where());
   return dataset;
 }
 
 template <class T>
 Object Group::write_scalar(const std::string& name, const T& value) {
-  const Object type = type_of<T>();
-  const Object space = space_of({});
-  Object dataset = own(H5Dcreate2(id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                       "create " + name + " in", where());
   const Buffer<T> buffer(std::span<const T>(&value, 1));
-  checked(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write", dataset.where());
+  const Object list(H5Pcreate(H5P_DATASET_CREATE));
+  if (H5Tget_size(buffer.type.id()) <= header_bytes) H5Pset_layout(list.id(), H5D_COMPACT);
+  const Object space = space_of({});
+  Object dataset = own(H5Dcreate2(id(), name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, list.id(),
+                                  H5P_DEFAULT), "create " + name + " in", where());
+  checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
+          dataset.where());
   return dataset;
 }
 
-template <class T>
-Object Group::create_rows(const std::string& name, const Shape& row) {
-  const Object type = type_of<T>();
-  return create_growing(id(), name, type.id(), row, where());
-}
-
-template <class T>
-void Group::append_rows(const std::string& name, std::span<const T> values) {
-  const Object dataset = open_dataset(name);
-  const Object type = type_of<T>();
-  const Buffer<T> buffer(values);
-  const std::uint64_t row = product(shape(name), 1);
-  extend(dataset, type.id(), row ? values.size() / row : 0, buffer.data);
-}
-
-void Group::create_rows_like(const Group& from, const std::string& name) {
+Object Group::create_like(const Group& from, const std::string& name, std::uint64_t rows) {
   const Object source = from.open_dataset(name);
   const Object type(H5Dget_type(source.id()));
-  Shape row = from.shape(name);
-  row.erase(row.begin());
-  const Object made = create_growing(id(), name, type.id(), row, where());
-  hid_t made_id = made.id();
-  const auto copy_attribute = [](hid_t object, const char* attribute, const H5A_info_t*, void* to) -> herr_t {
-    set_attribute<std::string>(*static_cast<const hid_t*>(to), attribute,
-                               get_attribute<std::string>(object, attribute, "a dataset"), {}, "a dataset");
-    return 0;
-  };
-  checked(H5Aiterate2(source.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, copy_attribute, &made_id),
-          "read the attributes of", source.where());
+  Shape shape = from.shape(name);
+  shape.at(0) = rows;
+  Object made = create_dataset(id(), name, type.id(), shape, where());
+  copy_all_attributes(source.id(), made.id(), source.where());
+  return made;
 }
 
-void Group::append_rows_of(const Group& from, const std::string& name) {
-  const Object source = from.open_dataset(name);
+void Group::write_rows_of(const Group& from, const std::string& name, std::uint64_t first) {
+  const Object source = from.open_dataset(name), target = open_dataset(name);
   const Object type(H5Dget_type(source.id()));
-  const Shape size = from.shape(name);
-  if (product(size) == 0) return;
-  std::vector<char> bytes(product(size) * H5Tget_size(type.id()));
+  const Shape rows = from.shape(name), all = shape(name);
+  const std::size_t count = believable_count(source, type.id(), rows, source.where());
+  if (count == 0) return;
+  if (rows.size() != all.size() || !std::equal(rows.begin() + 1, rows.end(), all.begin() + 1) || first > all[0] ||
+      rows[0] > all[0] - first)
+    throw file_error("cannot write " + target.where(), source.where() + " has another shape");
+  std::vector<char> bytes(count * H5Tget_size(type.id()));
   checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", source.where());
-  extend(open_dataset(name), type.id(), size[0], bytes.data());
-  const Object space = space_of(size);
-  if (H5Tis_variable_str(type.id()) > 0) H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, bytes.data());
+  const Object file_space(H5Dget_space(target.id())), memory_space = space_of(rows);
+  select_rows(file_space.id(), all, first, rows[0]);
+  checked(H5Dwrite(target.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()), "write",
+          target.where());
 }
 
 Shape Group::shape(const std::string& name) const {
   const Object dataset = open_dataset(name);
   const Object space(H5Dget_space(dataset.id()));
-  return shape_of(space.id());
+  return shape_of(space.id(), dataset.where());
 }
 
 template <class T>
 std::vector<T> Group::read(const std::string& name) const {
   const Object dataset = open_dataset(name);
-  const Object space(H5Dget_space(dataset.id()));
-  return read_selection<T>(dataset, H5S_ALL, H5S_ALL,
-                           static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space.id())));
+  const Object type(H5Dget_type(dataset.id())), space(H5Dget_space(dataset.id()));
+  const std::string where = dataset.where();
+  return read_values<T>(dataset, type, shape_of(space.id(), where), where, [&](hid_t memory_type, void* out) {
+    checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out), "read", where);
+  });
 }
 
 template <class T>
@@ -163,17 +139,17 @@ T Group::read_scalar(const std::string& name) const {
 template <class T>
 std::vector<T> Group::read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const {
   const Object dataset = open_dataset(name);
-  const Object file_space(H5Dget_space(dataset.id()));
-  Shape lengths = shape_of(file_space.id());
-  if (lengths.empty() || first + count > lengths[0])
-    throw file_error("cannot read " + dataset.where(), "rows are missing");
-  Shape start(lengths.size(), 0);
-  start[0] = first;
-  lengths[0] = count;
-  H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, reinterpret_cast<const hsize_t*>(start.data()), nullptr,
-                      reinterpret_cast<const hsize_t*>(lengths.data()), nullptr);
-  const Object memory_space = space_of(lengths);
-  return read_selection<T>(dataset, memory_space.id(), file_space.id(), product(lengths));
+  const Object type(H5Dget_type(dataset.id())), file_space(H5Dget_space(dataset.id()));
+  const std::string where = dataset.where();
+  Shape rows = shape_of(file_space.id(), where);
+  if (rows.empty() || first > rows[0] || count > rows[0] - first)
+    throw file_error("cannot read " + where, "rows are missing");
+  rows[0] = count;
+  select_rows(file_space.id(), rows, first, count);
+  const Object memory_space = space_of(rows);
+  return read_values<T>(dataset, type, rows, where, [&](hid_t memory_type, void* out) {
+    checked(H5Dread(dataset.id(), memory_type, memory_space.id(), file_space.id(), H5P_DEFAULT, out), "read", where);
+  });
 }
 
 template Object Group::write(const std::string&, std::span<const double>, const Shape&);
@@ -186,8 +162,6 @@ template Object Group::write_scalar(const std::string&, const std::int64_t&);
 template Object Group::write_scalar(const std::string&, const std::string&);
 
 #define SUPPLE_H5_ELEMENT(T)                                                   \
-  template Object Group::create_rows<T>(const std::string&, const Shape&);     \
-  template void Group::append_rows(const std::string&, std::span<const T>);    \
   template std::vector<T> Group::read(const std::string&) const;               \
   template T Group::read_scalar(const std::string&) const;                     \
   template std::vector<T> Group::read_rows(const std::string&, std::uint64_t, std::uint64_t) const;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -114,6 +115,17 @@ void NewFile::commit() {
   publish_file(temporary_, path_, existing_);
   std::fclose(file_);
   file_ = nullptr;
+}
+
+void remove_numbered_files(const std::string& folder, std::string_view stem) {
+  if (!fs::is_directory(folder)) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const std::string_view digits = std::string_view(name).substr(std::min(stem.size(), name.size()));
+    if (name.starts_with(stem) && digits.size() > 8 && digits.find_first_not_of("0123456789") == 7 && digits[7] == '.' &&
+        entry.is_regular_file())
+      fs::remove(entry.path());
+  }
 }
 
 void write_whole_file(const std::string& path, std::string_view bytes) {

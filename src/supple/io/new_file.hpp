@@ -46,4 +46,7 @@ class NewFile {
 /// The same for bytes that are in memory; a file of that name is replaced.
 void write_whole_file(const std::string& path, std::string_view bytes);
 
+/// Removes the files STEMnnnnnnn.ENDING (seven digits) of an older run from a folder, where there is one.
+void remove_numbered_files(const std::string& folder, std::string_view stem);
+
 }  // namespace supple

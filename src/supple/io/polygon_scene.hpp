@@ -1,6 +1,7 @@
 /// Bodies at one instant, as exports and pictures take them: plain arrays, without the run they come from.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,6 +15,7 @@ namespace supple {
 struct SceneArray {
   std::string name;
   std::variant<std::vector<double>, std::vector<Vec2>, std::vector<std::int32_t>> values;
+  bool about_normal = false;  ///< numbers about the normal of the plane, as spins: in space (0, 0, value)
 };
 
 /// Site `first` touches another body: its site `second` or, where `along` > 0, the point at this share of the edge
@@ -34,6 +36,7 @@ struct PolygonScene {
   std::vector<double> radius;        ///< of each site: of the disc, or half the diameter of a vertex
   std::vector<SceneArray> of_sites, of_bodies;
   std::vector<SceneContact> contacts = {};
+  std::map<std::string, double> numbers = {};  ///< of all: "pressure", ...
 
   std::int32_t sites() const { return static_cast<std::int32_t>(position.size()); }
   std::int32_t bodies() const { return begin.empty() ? sites() : static_cast<std::int32_t>(begin.size()) - 1; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "supple/core/error.hpp"
+#include "supple/io/body_archive.hpp"
 #include "supple/io/path_kind.hpp"
 #include "supple/io/system_archive.hpp"
 
@@ -16,6 +17,13 @@ std::vector<std::string> segments_in(const std::string& folder) {
     paths.push_back(folder + "/" + segment_name(static_cast<int>(paths.size())));
   if (paths.empty()) throw file_error(folder + " holds no run", "no segment is complete");
   return paths;
+}
+
+/// Of an array with one number a row.
+std::int64_t length_of(const h5::Group& group, const std::string& name) {
+  const h5::Shape shape = group.shape(name);
+  expect_run(shape.size() == 1, group, name + " is no column");
+  return static_cast<std::int64_t>(shape[0]);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -46,8 +54,8 @@ RunFile::RunFile(const std::string& path) : path_(path) {
     if (segments_.size() == 1 && !(root.has_attribute("format") && root.text("format") == run_format))
       throw file_error(path + " is not a run of Supple", "it is HDF5 of another kind, or of another version");
     if (!root.has("frames")) continue;
-    segments_.back().frames = static_cast<std::int64_t>(root.shape("frames/step").at(0));
-    segments_.back().contacts = static_cast<std::int64_t>(root.shape("frames/contact_first").at(0));
+    segments_.back().frames = length_of(root, "frames/step");
+    segments_.back().contacts = length_of(root, "frames/contact_first");
   }
 }
 
@@ -97,11 +105,13 @@ std::vector<Column> RunFile::columns(const std::string& table) const {
 }
 
 std::int64_t RunFile::rows(const std::string& table) const {
-  const std::string name = columns(table).at(0).name;
+  const std::vector<Column> all = columns(table);
+  if (all.empty()) return 0;
+  const std::string& name = all[0].name;
   std::int64_t rows = 0;
   for (std::size_t s = 0; s < segments(); ++s)
     if (const h5::Group tables = segment(s).open_group("tables"); tables.has(table))
-      rows += static_cast<std::int64_t>(tables.shape(table + "/" + name).at(0));
+      rows += length_of(tables, table + "/" + name);
   return rows;
 }
 
@@ -114,6 +124,8 @@ std::vector<double> RunFile::column(const std::string& table, const std::string&
   std::vector<double> out;
   for (std::size_t s = 0; s < segments(); ++s)
     if (const h5::Group tables = segment(s).open_group("tables"); tables.has(table)) {
+      expect_run(length_of(tables, table + "/" + name) == length_of(tables, table + "/" + names[0]), tables,
+                 "columns of table '" + table + "' differ in length");
       const auto part = tables.read<double>(table + "/" + name);
       out.insert(out.end(), part.begin(), part.end());
     }
@@ -130,9 +142,8 @@ Frame RunFile::frame(std::int64_t k) const {
   std::int64_t first = 0, contacts = 0;
   for (std::size_t s = 0; s < segments(); ++s) {
     if (k >= first && k < first + segments_[s].frames) {
-      Frame frame = read_frame(segment(s).open_group("frames"), static_cast<std::uint64_t>(k - first), contacts);
-      if (frame.length == Vec2{}) frame.length = info().box.length;  // as in files of older versions
-      return frame;
+      if (!info_) info_ = info();
+      return read_frame(segment(s).open_group("frames"), static_cast<std::uint64_t>(k - first), contacts, *info_);
     }
     first += segments_[s].frames;
     contacts += segments_[s].contacts;
@@ -189,7 +200,9 @@ std::pair<System<2>, Evaluation<2>> RunFile::final_state() const {
   for (std::size_t s = segments(); s-- > 0;)
     if (segment(s).has("final_state")) {
       const h5::Group state = segment(s).open_group("final_state");
-      return {read_system<2>(state), read_evaluation<2>(state.open_group("evaluation"))};
+      std::pair<System<2>, Evaluation<2>> both{read_system<2>(state), read_evaluation<2>(state.open_group("evaluation"))};
+      expect_state(both.second.force.size() == both.first.state.position.size(), state, "forces and sites differ in number");
+      return both;
     }
   throw file_error(path_ + " has no final state", "its status is: " + status());
 }

@@ -56,7 +56,7 @@ class RunFile {
   std::pair<System<2>, Evaluation<2>> final_state() const;
 
  private:
-  friend class FileRecorder;  // merges the segments
+  friend void save_merged(const RunFile&, const std::string&, const std::string&, Existing);
 
   struct Segment {
     std::string path;
@@ -68,6 +68,7 @@ class RunFile {
   std::string path_;
   bool partial_ = false;
   std::vector<Segment> segments_;
+  mutable std::optional<RunInfo> info_;  ///< once a frame was read
   mutable std::size_t open_index_ = static_cast<std::size_t>(-1);
   mutable h5::Group open_;  ///< the segment last used: most calls ask for the same one again
 };

@@ -8,11 +8,12 @@
 ///                   [body_begin[b], body_begin[b+1]) form body b (absent for microgel discs)
 ///     /tables/T/C   column C of table T, one value per row; attributes unit, meaning
 ///     /frames       step, time, ... (F); position, velocity, force (F, N, 2); angle, spin, torque, mobility (F, N);
-///                   length of the cell (F, 2); body/NAME (F, B): a number of each body, with unit and meaning;
+///                   length of the cell (F, 2); body/NAME (F, B): a number of each body, system/NAME (F): one of all;
 ///                   contacts of frame k: rows contact_begin[k] .. + contact_count[k] of contact_first, ... (all i < j)
 ///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where known,
 ///     error /warnings     texts /final_state  the whole system and its forces (see system_archive.hpp)
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,18 @@ inline constexpr auto run_format = "supple run 1";
 /// A named number of a run; error < 0: none known.
 using RunValue = MemoryRecorder::Value;
 
+/// "m/s" in SI units, "1e-06 m/s" in others, nothing where a run has no units.
+std::string unit_text(const Units& units, double in_si, const char* si);
+
+/// Throws a file error, "the file is damaged", where what a run file says cannot be.
+void expect_run(bool good, const h5::Object& object, const std::string& what);
+/// Strains, and places in cells, that no run reaches.
+inline constexpr double far_away = 1e9;
+/// Whether these are the lengths of a cell.
+inline bool is_cell(const Vec2& length) {
+  return length[0] > 0 && length[1] > 0 && std::isfinite(length[0]) && std::isfinite(length[1]);
+}
+
 /// Folder of the segments of the run `path`.
 std::string partial_folder(const std::string& path);
 std::string segment_name(int index);
@@ -39,11 +52,11 @@ Case read_stored_case(const h5::Group& root);
 void write_value(h5::Group& group, const RunValue& value);
 std::vector<RunValue> read_values(const h5::Group& group);
 
-/// Appends frames, which hold the same sites and name the same numbers of bodies; contacts continue at row `contacts`
-/// of the run.
-void append_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts);
-/// Frame `k` of this file, whose contacts start at row `contacts` of the run. Its length is (0, 0) where the file has
-/// none.
-Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts);
+/// Writes frames, which hold the same sites and name the same numbers of bodies; contacts begin at row `contacts` of
+/// the run.
+void write_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts);
+/// Frame `k` of this file, whose contacts start at row `contacts` of the run. Throws a file error where its arrays do
+/// not fit the sites, bodies and frames of the run.
+Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts, const RunInfo& info);
 
 }  // namespace supple

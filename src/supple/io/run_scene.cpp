@@ -22,14 +22,15 @@ PolygonScene scene_of(const RunInfo& info, const Frame& frame) {
   scene.box.strain_rate = frame.strain_rate;
   if (frame.length[0] > 0) scene.box.length = frame.length;
   scene.time = frame.time;
+  scene.numbers = frame.numbers;
   scene.begin = info.body_begin;
   scene.position = frame.position;
   scene.radius = info.radius;
   scene.of_sites = {{"velocity", frame.velocity}, {"force", frame.force}};
   if (info.body_begin.empty()) {
     scene.of_sites.push_back({"angle", frame.angle});
-    scene.of_sites.push_back({"spin", frame.spin});
-    scene.of_sites.push_back({"torque", frame.torque});
+    scene.of_sites.push_back({"spin", frame.spin, true});
+    scene.of_sites.push_back({"torque", frame.torque, true});
     scene.of_sites.push_back({"particle", info.particle});
   }
   for (const auto& [name, values] : frame.body) scene.of_bodies.push_back({name, values});

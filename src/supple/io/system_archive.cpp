@@ -30,6 +30,13 @@ std::vector<Angular<Dim>> read_angular(const h5::Group& group, const char* name)
   else return vectors_from<Dim>(group.read<double>(name));
 }
 
+template <int Dim>
+std::vector<Vec<Dim>> read_vectors(const h5::Group& group, const char* name) {
+  const h5::Shape shape = group.shape(name);
+  expect_state(shape.size() == 2 && shape[1] == Dim, group, std::string(name) + " has another dimension");
+  return vectors_from<Dim>(group.read<double>(name));
+}
+
 template <class Parts, class Visit>
 void for_each_energy(Parts& parts, Visit&& visit) {
   visit("terms", parts.terms);
@@ -79,7 +86,9 @@ void read_images(const h5::Group& group, PairTable& pairs) {
 
 PairTable read_pairs(const h5::Group& group, int sites) {
   PairTable pairs;
-  pairs.width = static_cast<int>(group.integer("width"));
+  const std::int64_t width = group.integer("width");
+  expect_state(0 <= width && width < 1000, group, "a row of the pairs has no such width");
+  pairs.width = static_cast<int>(width);
   pairs.begin = group.read<std::int32_t>("begin");
   pairs.first = group.read<std::int32_t>("first");
   pairs.second = group.read<std::int32_t>("second");
@@ -88,7 +97,7 @@ PairTable read_pairs(const h5::Group& group, int sites) {
   pairs.history = group.read<double>("history");
 
   const auto rows = static_cast<std::size_t>(pairs.size());
-  expect_state(pairs.second.size() == rows && states.size() == rows && pairs.width >= 0 &&
+  expect_state(pairs.second.size() == rows && states.size() == rows &&
                    pairs.history.size() == rows * static_cast<std::size_t>(pairs.width),
                group, "columns of the pairs differ in length");
   expect_state(pairs.begin.empty() ? rows == 0
@@ -166,9 +175,12 @@ System<Dim> read_system(const h5::Group& group) {
 
   const h5::Group sites = group.open_group("sites");
   State<Dim>& state = system.state;
-  state.position = vectors_from<Dim>(sites.read<double>("position"));
-  state.velocity = vectors_from<Dim>(sites.read<double>("velocity"));
-  state.mobility = enums_from<Mobility>(sites.read<std::uint8_t>("mobility"));
+  state.position = read_vectors<Dim>(sites, "position");
+  state.velocity = read_vectors<Dim>(sites, "velocity");
+  const auto mobility = sites.read<std::uint8_t>("mobility");
+  expect_state(std::all_of(mobility.begin(), mobility.end(), [](std::uint8_t code) { return code <= 3; }), sites,
+               "a site of no known mobility");
+  state.mobility = enums_from<Mobility>(mobility);
   const std::size_t n = state.position.size();
   state.spin = read_angular<Dim>(sites, "spin");
   expect_state(state.velocity.size() == n && state.mobility.size() == n && state.spin.size() == n, sites,
@@ -186,6 +198,8 @@ System<Dim> read_system(const h5::Group& group) {
   if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
   if (group.has("rigid")) system.rigid = read_rigid_bodies(group.open_group("rigid"), system.topology);
   system.pairs = read_pairs(group.open_group("pairs"), state.size());
+  expect_state(!system.topology.begin.empty() || system.pairs.size() == 0 || system.pairs.width > 0, group,
+               "contacts of discs remember nothing");
   return system;
 }
 
@@ -201,8 +215,9 @@ void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation) {
 template <int Dim>
 Evaluation<Dim> read_evaluation(const h5::Group& group) {
   Evaluation<Dim> evaluation;
-  evaluation.force = vectors_from<Dim>(group.read<double>("force"));
+  evaluation.force = read_vectors<Dim>(group, "force");
   evaluation.torque = read_angular<Dim>(group, "torque");
+  expect_state(evaluation.torque.size() == evaluation.force.size(), group, "forces and torques differ in number");
   const auto virial = group.read<double>("virial");
   expect_state(virial.size() == Dim * Dim, group, "its virial has another dimension");
   std::copy(virial.begin(), virial.end(), &evaluation.virial.e[0][0]);

@@ -4,6 +4,7 @@
 
 #include "supple/io/new_file.hpp"
 #include "supple/io/run_file.hpp"
+#include "supple/io/vtp.hpp"
 
 namespace supple {
 
@@ -12,9 +13,11 @@ namespace supple {
 void export_xyz(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 /// Every frame as VTK PolyData, FOLDER/frame0000000.vtp, and the collection `path` (.pvd) that gives their times; the
-/// folder is that of frame_folder(path). The time is that of the run or, where several frames have the same, the
-/// number of the frame. Throws an input error where the run has no frames, and file errors.
-void export_vtp(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
+/// folder is that of frame_folder(path); with Existing::replace nothing of an older export stays in it. An instant is
+/// written once. The time is that of the run or, where it does not go on from frame to frame, the number of the frame.
+/// Throws an input error where the run has no frames, and file errors.
+void export_vtp(const RunFile& run, const std::string& path, Existing existing = Existing::refuse,
+                Cells cells = Cells::polygons);
 
 /// "out/a.pvd": "out/a_frames".
 std::string frame_folder(const std::string& path);

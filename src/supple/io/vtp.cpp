@@ -3,11 +3,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <numbers>
-#include <span>
 
 #include "supple/core/error.hpp"
+#include "supple/io/body_ring.hpp"
 #include "supple/io/number_text.hpp"
 
 namespace supple {
@@ -51,38 +50,56 @@ constexpr const char* vtk_type<std::int64_t> = "Int64";
 
 /// The size in bytes, then the values, encoded as one: what VTK calls uncompressed inline binary.
 template <class T>
-void append_array(std::string& xml, const std::string& name, const std::vector<T>& values) {
+void append_array(std::string& xml, const std::string& name, const std::vector<T>& values,
+                  const std::string& attributes = "") {
   std::vector<double> padded;
   std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   if constexpr (std::is_same_v<T, Vec2>) {
     for (const Vec2& v : values) padded.insert(padded.end(), {v[0], v[1], 0});
     bytes = {reinterpret_cast<const char*>(padded.data()), padded.size() * sizeof(double)};
   }
-  if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
-    throw file_error("array '" + name + "' is too large for a .vtp file", "more than 4 GiB");
-  const auto size = static_cast<std::uint32_t>(bytes.size());
+  const std::uint64_t size = bytes.size();
   std::string block(sizeof size, '\0');
   std::memcpy(block.data(), &size, sizeof size);
   block += bytes;
   xml += "<DataArray type=\"" + std::string(vtk_type<T>) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
-         (std::is_same_v<T, Vec2> ? "3" : "1") + "\" format=\"binary\">";
+         (std::is_same_v<T, Vec2> ? "3" : "1") + "\"" + attributes + " format=\"binary\">";
   append_base64(xml, block);
   xml += "</DataArray>\n";
 }
 
-/// The polygons: points, and the site that each stands for.
+/// The cells: points, the site that each stands for, and the body of each cell.
 struct Polygons {
   std::vector<Vec2> point;
   std::vector<std::int32_t> site;
   std::vector<std::int64_t> offset;  ///< one after the last point of each
+  std::vector<std::int32_t> body;    ///< of each
 
-  Polygons(const PolygonScene& scene, const std::vector<Vec2>& shift) {
+  Polygons(const PolygonScene& scene, const std::vector<Vec2>& shift, Cells cells) {
     for (std::int32_t b = 0; b < scene.bodies(); ++b) {
       const auto [first, last] = scene.body(b);
-      for (std::int32_t i = first; i < last; ++i)
-        if (last - first == 1) add_disc(i, scene.position[i] + shift[b], scene.radius[i]);
-        else add(i, scene.position[i] + shift[b]);
-      offset.push_back(static_cast<std::int64_t>(point.size()));
+      std::vector<Vec2> ring;
+      std::vector<double> radius;
+      for (std::int32_t i = first; i < last; ++i) {
+        ring.push_back(scene.position[i] + shift[b]);
+        radius.push_back(scene.radius[i]);
+      }
+      if (cells == Cells::polygons && ring.size() > 1) {
+        for (std::int32_t i = first; i < last; ++i) add(i, ring[i - first]);
+        close(b);
+        continue;
+      }
+      const std::vector<Vec2> outline = ring.size() == 1 ? circle(ring[0], radius[0]) : outer_ring(ring, radius);
+      const auto add_point = [&](const Vec2& x) { add(first + nearest(ring, x), x); };
+      if (cells != Cells::triangles) {
+        for (const Vec2& x : outline) add_point(x);
+        close(b);
+        continue;
+      }
+      for (const auto& triangle : triangulate(outline)) {
+        for (const std::size_t k : triangle) add_point(outline[k]);
+        close(b);
+      }
     }
   }
 
@@ -91,11 +108,23 @@ struct Polygons {
     point.push_back(x);
     site.push_back(i);
   }
-  void add_disc(std::int32_t i, const Vec2& centre, double radius) {
+  void close(std::int32_t b) {
+    offset.push_back(static_cast<std::int64_t>(point.size()));
+    body.push_back(b);
+  }
+  static std::vector<Vec2> circle(const Vec2& centre, double radius) {
+    std::vector<Vec2> out;
     for (int k = 0; k < disc_corners; ++k) {
       const double angle = 2 * std::numbers::pi * k / disc_corners;
-      add(i, centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+      out.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
     }
+    return out;
+  }
+  static std::int32_t nearest(const std::vector<Vec2>& ring, const Vec2& x) {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < ring.size(); ++k)
+      if (norm(ring[k] - x) < norm(ring[best] - x)) best = k;
+    return static_cast<std::int32_t>(best);
   }
 };
 
@@ -121,22 +150,35 @@ void append_point_data(std::string& xml, const PolygonScene& scene, const std::v
   xml += "</PointData>\n";
 }
 
-void append_cell_data(std::string& xml, const PolygonScene& scene) {
-  std::vector<std::int32_t> id, sites;
+void append_cell_data(std::string& xml, const PolygonScene& scene, const std::vector<std::int32_t>& body) {
+  std::vector<std::int32_t> sites;
   std::vector<double> radius;
-  for (std::int32_t b = 0; b < scene.bodies(); ++b) {
+  for (const std::int32_t b : body) {
     const auto [first, last] = scene.body(b);
-    id.push_back(b);
     sites.push_back(last - first);
     radius.push_back(scene.radius[first]);
   }
   xml += "<CellData>\n";
-  append_array(xml, "id", id);
+  append_array(xml, "id", body);
   append_array(xml, "sites", sites);
   append_array(xml, "radius", radius);
+  const auto append = [&](const std::string& name, const auto& of_bodies) {
+    std::remove_cvref_t<decltype(of_bodies)> values;
+    for (const std::int32_t b : body) values.push_back(of_bodies[b]);
+    append_array(xml, name, values);
+  };
   for (const SceneArray& array : scene.of_bodies)
-    std::visit([&](const auto& values) { append_array(xml, array.name, values); }, array.values);
+    std::visit([&](const auto& values) { append(array.name, values); }, array.values);
   xml += "</CellData>\n";
+}
+
+/// ParaView takes the time from here where there is no collection.
+void append_time(std::string& xml, const PolygonScene& scene) {
+  const std::string one = " NumberOfTuples=\"1\"";
+  xml += "<FieldData>\n";
+  append_array(xml, "TimeValue", std::vector<double>{scene.time}, one);
+  for (const auto& [name, value] : scene.numbers) append_array(xml, name, std::vector<double>{value}, one);
+  xml += "</FieldData>\n";
 }
 
 void append_polygons(std::string& xml, const Polygons& polygons) {
@@ -158,19 +200,21 @@ void write_new(const std::string& path, const std::string& text, Existing existi
 
 }  // namespace
 
-void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing, Placement placement) {
+void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing, Placement placement, Cells cells) {
   check_scene(scene, path);
   check_names(scene.of_sites, {"site", "radius"}, path);
   check_names(scene.of_bodies, {"id", "sites", "radius"}, path);
-  const Polygons polygons(scene, placement_shifts(scene, placement));
+  const Polygons polygons(scene, placement_shifts(scene, placement), cells);
   std::string xml =
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" header_type=\"UInt32\">\n<PolyData>\n"
+      "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
+  append_time(xml, scene);
+  xml +=
       "<Piece NumberOfPoints=\"" + std::to_string(polygons.point.size()) +
       "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-      std::to_string(scene.bodies()) + "\">\n";
+      std::to_string(polygons.body.size()) + "\">\n";
   append_point_data(xml, scene, polygons.site);
-  append_cell_data(xml, scene);
+  append_cell_data(xml, scene, polygons.body);
   append_polygons(xml, polygons);
   xml += "</Piece>\n</PolyData>\n</VTKFile>\n";
   write_new(path, xml, existing);

@@ -9,17 +9,26 @@
 
 namespace supple {
 
-/// Writes one instant as VTK XML PolyData (.vtp): one polygon for each body, z = 0, binary64 throughout.
+/// What the cells of a file are. ParaView and VTK draw and measure a cell that is not convex as a fan from its first
+/// point: right areas of such bodies need triangles.
+enum class Cells {
+  polygons,   ///< one of each body: its vertices
+  outlines,   ///< one of each body: the outline with the discs on its vertices, holes filled
+  triangles,  ///< the outlines in triangles, each with the numbers of its body
+};
+
+/// Writes one instant as VTK XML PolyData (.vtp): bodies as `cells`, z = 0, binary64 throughout.
 ///
-/// * Points: the vertices. A disc is drawn as a regular polygon of `disc_corners` corners on its circle.
+/// * Points: the vertices, or points of outlines, with the numbers of the nearest vertex. A disc is drawn as a regular
+///   polygon of `disc_corners` corners on its circle. Data of the field: `TimeValue` and the numbers of all.
 /// * Data of cells: `id` (body, 0-based), `sites` (1: a disc), `radius` (of the disc, or of the first vertex), then
 ///   `of_bodies` by their names. Data of points: `site`, `radius`, then `of_sites`. Vectors have three components.
 ///
-/// The cell and the time have no place in this format: bodies are whole, put by `placement`; the time stands in the
-/// collection (write_pvd). The encoding (inline base64, uncompressed) is the one that both programs read.
+/// The cell has no place in this format: bodies are whole, put by `placement`; the time stands in the collection
+/// (write_pvd) too. The encoding (inline base64, uncompressed) is the one that both programs read.
 /// Throws an input error where the arrays do not fit together or take one of these names, and file errors.
 void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing = Existing::refuse,
-               Placement placement = Placement::in_cell);
+               Placement placement = Placement::in_cell, Cells cells = Cells::polygons);
 
 inline constexpr int disc_corners = 32;
 

@@ -12,15 +12,18 @@ namespace supple {
 
 namespace {
 
+/// Programs know velocities by this name.
+std::string column_name(const SceneArray& array) { return array.name == "velocity" ? "velo" : array.name; }
+
 void check_names(const PolygonScene& scene, const std::string& path) {
-  std::set<std::string> names{"species", "pos", "radius", "id", "molecule"};
+  std::set<std::string> names{"type", "pos", "radius", "id", "molecule"};
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   for (const auto* arrays : {&scene.of_sites, &scene.of_bodies})
     for (const SceneArray& array : *arrays) {
       const std::string what = "cannot write '" + path + "'";
       if (!std::all_of(array.name.begin(), array.name.end(), is_plain))
         throw input_error(what, "array '" + array.name + "'", "a name is made of letters, digits and _");
-      if (!names.insert(array.name).second)
+      if (!names.insert(column_name(array)).second)
         throw input_error(what, "the name '" + array.name + "' is taken", "rename the array");
     }
 }
@@ -40,12 +43,13 @@ void append_values(std::string& text, const Vec2& x) {
 }
 
 const char* column_type(const SceneArray& array) {
+  if (array.about_normal) return ":R:3";
   static constexpr const char* types[] = {":R:1", ":R:3", ":I:1"};  // in the order of the variant
   return types[array.values.index()];
 }
 
-/// disc1, polygon2, ...: bodies of equal radius and number of sites are one species.
-std::vector<std::string> species_of_bodies(const PolygonScene& scene) {
+/// disc1, polygon2, ...: bodies of equal radius and number of sites are of one type.
+std::vector<std::string> types_of_bodies(const PolygonScene& scene) {
   std::vector<std::pair<std::int32_t, double>> sizes;
   std::vector<std::string> names;
   for (std::int32_t b = 0; b < scene.bodies(); ++b) {
@@ -78,9 +82,13 @@ std::string header(const PolygonScene& scene) {
   text += scene.box.periodic[flow] ? "T " : "F ";
   text += scene.box.periodic[gradient] ? "T F\" Time=" : "F F\" Time=";
   append_shortest(text, scene.time);
-  text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1";
+  for (const auto& [name, value] : scene.numbers) {
+    text += " " + name + "=";
+    append_shortest(text, value);
+  }
+  text += " Properties=type:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1";
   for (const auto* arrays : {&scene.of_sites, &scene.of_bodies})
-    for (const SceneArray& array : *arrays) text += ":" + array.name + column_type(array);
+    for (const SceneArray& array : *arrays) text += ":" + column_name(array) + column_type(array);
   return text + "\n";
 }
 
@@ -92,18 +100,19 @@ XyzFile::XyzFile(const std::string& path, Existing existing, Placement placement
 void XyzFile::append(const PolygonScene& scene) {
   check_scene(scene, path_);
   check_names(scene, path_);
-  const std::vector<std::string> species = species_of_bodies(scene);
+  const std::vector<std::string> types = types_of_bodies(scene);
   const std::vector<Vec2> shift = placement_shifts(scene, placement_);
   const std::vector<std::int32_t> body = body_of_sites(scene);
   std::string text = header(scene);
   for (std::int32_t i = 0; i < scene.sites(); ++i) {
     const std::int32_t b = body[i];
-    text += species[b];
+    text += types[b];
     append_values(text, scene.position[i] + shift[b]);
     append_values(text, scene.radius[i]);
     append_values(text, i);
     append_values(text, b);
     const auto append_value = [&](const SceneArray& array, std::int32_t at) {
+      if (array.about_normal) text += " 0 0";
       std::visit([&](const auto& values) { append_values(text, values[at]); }, array.values);
     };
     for (const SceneArray& array : scene.of_sites) append_value(array, i);
