@@ -84,6 +84,23 @@ TEST(DiscDynamics, NamesStepAndDiscWhenAValueIsNotFinite) {
   }
 }
 
+/// The image that a link keeps counts cells in 32 bits, and a coordinate in 53.
+TEST(DiscDynamics, ADiscThatLeavesAMillionCellsBehindEndsTheRun) {
+  for (const double speed : {1e12, 1e40, -1e300}) {
+    System<2> s = testing::random_suspension(20, 0.01);
+    DiscDynamics d = dynamics();
+    run(s, d, 3);
+    s.state.velocity[7][0] = speed;
+    try {
+      run(s, d, 1);
+      FAIL() << speed;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::numerics);
+      EXPECT_NE(std::string(e.what()).find("site 7 left a million cells behind"), std::string::npos) << e.what();
+    }
+  }
+}
+
 TEST(DiscDynamics, DiscsThatReachAPlateStayOnIt) {
   System<2> s = testing::random_suspension(50, 0.9);
   DiscDynamics d = dynamics();

@@ -1,5 +1,9 @@
 /// The image that a row of the pair table is about, and how it follows its sites over the boundary.
 #pragma once
+#include <cmath>
+#include <string>
+
+#include "supple/core/error.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -21,11 +25,22 @@ typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int
   return system.box.separation(a, b, cells_of<Dim>(pairs.image[row]));
 }
 
-/// Brings site i into the cell, with its velocity; links keep their images.
+/// Cells that a site may leave behind at once: a coordinate of more has lost the digits that contacts need.
+inline constexpr double most_cells_passed = 1e6;
+
+/// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left more cells
+/// behind than `most_cells_passed`; numbers that are not finite stay.
 template <int Dim>
 void wrap_site(System<Dim>& system, std::int32_t i) {
   const Vec<Dim> moved = system.box.wrap(system.state.position[i], system.state.velocity[i]);
-  if (system.pairs.image.empty() || moved == Vec<Dim>{}) return;
+  if (moved == Vec<Dim>{}) return;
+  for (int d = 0; d < Dim; ++d) {
+    if (!std::isfinite(moved[d])) return;
+    if (std::abs(moved[d]) > most_cells_passed)
+      throw numerics_error("site " + std::to_string(i) + " left a million cells behind",
+                           "the time step may be too large or the law too stiff", "reduce [time] step");
+  }
+  if (system.pairs.image.empty()) return;
   std::array<std::int32_t, 3> cells{};
   for (int d = 0; d < Dim; ++d) cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(moved[d]);
   follow_images(system.pairs, i, cells);
