@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "supple/core/random.hpp"
+#include "supple/model/evaluation.hpp"
 
 namespace supple {
 namespace {
@@ -59,6 +60,21 @@ TEST(CellScene, DrawsAContactAcrossABoundaryToTheImage) {
     const CellScene scene = lay_out_cell(box, std::vector<double>(4, 0.5), frame, 0.5);
     ASSERT_GE(scene.lines.size(), 4u);  // each shows at both sides
     for (const SceneLine& line : scene.lines) EXPECT_NEAR(norm(line.to - line.from), 0.8, 1e-9);
+  }
+}
+
+/// Six apart in a cell of ten, the nearest image is four away on the other side: the force says which of them is linked.
+TEST(CellScene, DrawsALongLinkToItsOwnImage) {
+  for (const double strain : {0.0, 0.3}) {
+    Frame frame = frame_at({{2, 5}, {8, 5}});
+    ContactRow link{0, 1, ContactState::permanent, 0, 0, -1, 0.25};
+    for (const double side : {1., -1.}) {
+      link.force = force_on_first(link.normal_force, link.tangential_force, Vec2{side, 0});
+      frame.contacts = {link};
+      const CellScene scene = lay_out_cell(square(strain), std::vector<double>(2, 0.5), frame, 0.5);
+      ASSERT_FALSE(scene.lines.empty());
+      for (const SceneLine& line : scene.lines) EXPECT_NEAR(norm(line.to - line.from), side > 0 ? 6 : 4, 1e-9);
+    }
   }
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "supple/model/evaluation.hpp"
+
 namespace supple {
 
 namespace {
@@ -57,12 +59,32 @@ void flatten(std::vector<SceneDisc>& discs, std::span<const double> radius) {
     }
 }
 
-/// Every image of a contact that shows; its arm is the shortest, not the one within the cell.
+/// Vector from the first disc of a contact to the image of the second that it is about. That is the nearest one, but a
+/// link that has become longer than half the cell keeps its own: the one along which its force has the parts of the row.
+Vec2 contact_arm(const Box<2>& box, const Vec2& from, const Vec2& to, const ContactRow& row) {
+  const Vec2 nearest = box.displacement(from, to);
+  if (row.state != ContactState::permanent) return nearest;
+  const auto mismatch = [&](const Vec2& arm) {
+    return norm(force_on_first(row.normal_force, row.tangential_force, (1 / norm(arm)) * arm) - row.force);
+  };
+  constexpr double rounding = 1e-6;
+  Vec2 best = nearest;
+  double least = mismatch(nearest) - rounding * norm(row.force);
+  if (!(least > 0) || row.force == Vec2{}) return nearest;
+  for (const Vec2& shift : neighbour_cells(box))
+    if (const double here = mismatch(nearest + shift); here < least) {
+      least = here;
+      best = nearest + shift;
+    }
+  return best;
+}
+
+/// Every image of a contact that shows; its arm is its own, not the one within the cell.
 void lay_out_contacts(CellScene& scene, const Box<2>& box, const std::vector<ContactRow>& contacts,
                       const std::vector<Vec2>& shifts, double margin) {
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Vec2 from = scene.discs[contacts[c].first].centre;
-    const Vec2 arm = box.displacement(from, scene.discs[contacts[c].second].centre);
+    const Vec2 arm = contact_arm(box, from, scene.discs[contacts[c].second].centre, contacts[c]);
     for (const Vec2& shift : shifts) {
       const std::array<Vec2, 2> ends{from + shift, from + shift + arm};
       if (comes_near(scene.corner, ends[0] + 0.5 * arm, margin + 0.5 * norm(arm)))
