@@ -15,7 +15,8 @@ namespace {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(c->get_name());
+  for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(c->get_name());
   return names;
 }
 
@@ -48,7 +49,8 @@ std::string full_name(const CLI::App& app, const CLI::App& command) {
 Error unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App& command = reading(app);
   const std::string name = full_name(app, command);
-  auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with('-'); });
+  auto word =
+      std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with('-'); });
   if (word == words.end()) {
     const std::string taken = operand(command);
     return input_error(fmt::format("'{}' is one word too many", words.front()),
@@ -58,8 +60,9 @@ Error unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
   const std::string option = word->substr(0, word->find('='));
   const std::vector<std::string> names = option_names(command);
   const auto near = nearest_name(option, names);
-  return input_error(fmt::format("{} has no option {}", name, option), "",
-                     near ? fmt::format("did you mean {}?", *near) : "its options are " + join_names(names, ""));
+  return input_error(
+      fmt::format("{} has no option {}", name, option), "",
+      near ? fmt::format("did you mean {}?", *near) : "its options are " + join_names(names, ""));
 }
 
 }  // namespace
@@ -72,8 +75,9 @@ std::optional<std::string> help_asked_for(const CLI::App& app, const std::vector
   const std::vector<std::string> names = command_names(app);
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     const auto near = nearest_name(name, names);
-    throw input_error(fmt::format("there is no command '{}'", name), "",
-                      near ? fmt::format("did you mean '{}'?", *near) : "the commands are " + join_names(names, ""));
+    throw input_error(
+        fmt::format("there is no command '{}'", name), "",
+        near ? fmt::format("did you mean '{}'?", *near) : "the commands are " + join_names(names, ""));
   }
   if (!help) return std::nullopt;
   return app.get_subcommand(name)->help(app.get_name());
@@ -91,8 +95,10 @@ Error explain(const CLI::App& app, const CLI::ParseError& e) {
   const std::string option = what.substr(0, what.find(':'));
   for (const CLI::Option* o : command.get_options())
     if (o->get_name() == option || "--" + (o->get_lnames().empty() ? "" : o->get_lnames().front()) == option)
-      return input_error(fmt::format("{} needs a value", option), "", fmt::format("write {} {}", option, o->get_type_name()));
-  return input_error("the options cannot be read", what.substr(0, what.find('\n')), fmt::format("see {} --help", name));
+      return input_error(fmt::format("{} needs a value", option), "",
+                         fmt::format("write {} {}", option, o->get_type_name()));
+  return input_error("the options cannot be read", what.substr(0, what.find('\n')),
+                     fmt::format("see {} --help", name));
 }
 
 int whole_number(const std::string& option, const std::string& text, int least, int most) {
@@ -102,13 +108,15 @@ int whole_number(const std::string& option, const std::string& text, int least, 
   const bool digits = meant && meant->find_first_of(".e ") == meant->npos;
   const bool spelt_so = digits && *meant == text;
   if (spelt_so && result.ec == std::errc{} && value >= least && value <= most) return value;
-  throw input_error(
-      fmt::format("{} {}: {}", option, text.empty() ? "''" : text, spelt_so ? "out of range" : "not a whole number"), "",
-      digits && !spelt_so ? fmt::format("write {} {}", option, *meant)
-                          : fmt::format("give a whole number from {} to {}", least, most));
+  throw input_error(fmt::format("{} {}: {}", option, text.empty() ? "''" : text,
+                                spelt_so ? "out of range" : "not a whole number"),
+                    "",
+                    digits && !spelt_so ? fmt::format("write {} {}", option, *meant)
+                                        : fmt::format("give a whole number from {} to {}", least, most));
 }
 
-void check_choice(const std::string& option, const std::string& value, const std::vector<std::string>& choices) {
+void check_choice(const std::string& option, const std::string& value,
+                  const std::vector<std::string>& choices) {
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return;
   const auto near = nearest_name(value, choices);
   throw input_error(fmt::format("{} {}: not a choice", option, value), "",

@@ -21,7 +21,8 @@ class Load {
   Load() {
     for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
       threads_.emplace_back([this] {
-        while (!done_.load(std::memory_order_relaxed)) {}
+        while (!done_.load(std::memory_order_relaxed)) {
+        }
       });
   }
   ~Load() {
@@ -60,8 +61,8 @@ double two_over_one(const System<2>& start, int steps) {
 
 void print_threads() {
   fmt::print("\nWall time with two threads over that with one, dense discs (best of five, in turn)\n");
-  fmt::print("  {:>7}  {:>8}  {:>8}   busy: one thread of another program on each of {} cores\n", "discs", "quiet",
-             "busy", std::thread::hardware_concurrency());
+  fmt::print("  {:>7}  {:>8}  {:>8}   busy: one thread of another program on each of {} cores\n", "discs",
+             "quiet", "busy", std::thread::hardware_concurrency());
   for (const int discs : {1500, 10000, 100000}) {
     DenseSpec spec;
     spec.discs = discs;

@@ -22,13 +22,16 @@ TEST_F(CommandLine, MisspeltCommandsAndOptionsNameTheNearest) {
   write("e.toml", "");
   expect_answer("rnu e.toml", "there is no command 'rnu'; did you mean 'run'?");
   expect_answer("simulate e.toml",
-                "there is no command 'simulate'; the commands are init, check, run, list, show, export, snapshot, plot");
+                "there is no command 'simulate'; the commands are init, check, run, list, show, export, "
+                "snapshot, plot");
   expect_answer("check e.toml --theads 2", "supple check has no option --theads; did you mean --threads?");
   expect_answer("check --theads=2", "supple check has no option --theads; did you mean --threads?");
-  expect_answer("show r.h5 --frame 3",
-                "supple show has no option --frame; its options are -h, --help, --json, -o, --output, --force");
-  expect_answer("export r.h5 --to cvs",
-                "--to cvs: not a choice; did you mean csv? It must be one of csv, text, state, packing, xyz, vtp");
+  expect_answer(
+      "show r.h5 --frame 3",
+      "supple show has no option --frame; its options are -h, --help, --json, -o, --output, --force");
+  expect_answer(
+      "export r.h5 --to cvs",
+      "--to cvs: not a choice; did you mean csv? It must be one of csv, text, state, packing, xyz, vtp");
   expect_answer("init dynamics --physics deformabel",
                 "--physics deformabel: not a choice; did you mean deformable? It must be one of documented, "
                 "particleshear-1.0.2, deformable");
@@ -47,8 +50,10 @@ TEST_F(CommandLine, WordsThatAreMissingOrTooMany) {
 TEST_F(CommandLine, NumbersAreDecimalDigits) {
   write("e.toml", "");
   expect_answer("check e.toml --threads 010", "--threads 010: not a whole number; write --threads 10");
-  expect_answer("check e.toml --threads ''", "--threads '': not a whole number; give a whole number from 1 to 1024");
-  expect_answer("check e.toml --threads two", "--threads two: not a whole number; give a whole number from 1 to 1024");
+  expect_answer("check e.toml --threads ''",
+                "--threads '': not a whole number; give a whole number from 1 to 1024");
+  expect_answer("check e.toml --threads two",
+                "--threads two: not a whole number; give a whole number from 1 to 1024");
   expect_answer("check e.toml --threads 0", "--threads 0: out of range; give a whole number from 1 to 1024");
   expect_answer("check e.toml --threads 99999999999",
                 "--threads 99999999999: out of range; give a whole number from 1 to 1024");
@@ -69,10 +74,12 @@ TEST_F(CommandLine, CasesAndRunsThatAreSwappedAreSaidToBe) {
   write("e.toml", "");
   write("r.h5", "\x89HDF\r\n\x1a\n");
   expect_answer("run r.h5",
-                "'r.h5' is a run, not a case (a case is a text of keys and values); supple show r.h5 prints what it holds");
+                "'r.h5' is a run, not a case (a case is a text of keys and values); supple show r.h5 prints "
+                "what it holds");
   const Outcome show = supple("show e.toml");
   EXPECT_EQ(show.code, 4);
-  EXPECT_EQ(show.err, "supple: e.toml is not an HDF5 file (runs are); supple run e.toml makes a run of this case\n");
+  EXPECT_EQ(show.err,
+            "supple: e.toml is not an HDF5 file (runs are); supple run e.toml makes a run of this case\n");
 }
 
 }  // namespace

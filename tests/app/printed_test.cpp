@@ -35,9 +35,11 @@ TEST_F(Printed, WarningsOfARunArePrintedOnceAndKept) {
 TEST_F(Printed, ARunNamesEveryFileThatItWrote) {
   write_small_case();
   const Outcome run = supple(
-      "run small.toml --set output.plot=true --set output.snapshot=true --set output.text=true --set output.images=2");
+      "run small.toml --set output.plot=true --set output.snapshot=true --set output.text=true --set "
+      "output.images=2");
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("wrote small.h5, small_stress.png, small_cell.png, small.txt, small_images/\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("wrote small.h5, small_stress.png, small_cell.png, small.txt, small_images/\n"));
   for (const auto& entry : std::filesystem::directory_iterator(path("")))
     if (entry.path().extension() != ".toml") {
       EXPECT_THAT(run.out, HasSubstr(entry.path().filename().string()));

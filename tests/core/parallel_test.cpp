@@ -43,7 +43,8 @@ TEST_F(Parallel, SumsHaveTheSameBitsForAnyNumberOfThreads) {
     thread_count() = threads;
     return sum_chunks<double>(50000, [](std::int64_t begin, std::int64_t end) {
       double s = 0;
-      for (std::int64_t i = begin; i < end; ++i) s += std::sin(static_cast<double>(i)) * std::pow(10., i % 23);
+      for (std::int64_t i = begin; i < end; ++i)
+        s += std::sin(static_cast<double>(i)) * std::pow(10., i % 23);
       return s;
     });
   };
@@ -106,7 +107,8 @@ class BusyMachine {
   BusyMachine() {
     for (unsigned i = 0; i < 2 * std::thread::hardware_concurrency(); ++i)
       hogs_.emplace_back([this] {
-        while (!quiet_.load(std::memory_order_relaxed)) {}
+        while (!quiet_.load(std::memory_order_relaxed)) {
+        }
       });
   }
   ~BusyMachine() {
@@ -131,7 +133,8 @@ double seconds_of_loops(int threads) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Threads that spin until all have arrived, as those of OpenMP do unless told otherwise, took 20 to 30 times as long.
+/// Threads that spin until all have arrived, as those of OpenMP do unless told otherwise, took 20 to 30 times
+/// as long.
 TEST_F(Parallel, TwoThreadsOnABusyMachineTakeAboutTheTimeOfOne) {
   const BusyMachine busy;
   double ratio = std::numeric_limits<double>::infinity();

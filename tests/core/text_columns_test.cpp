@@ -19,7 +19,8 @@ TEST(TextColumns, LinesBreakBetweenPiecesAlone) {
 }
 
 TEST(TextColumns, RowsStayOnThePageAndTheirColumnsBelowEachOther) {
-  const std::string words = "some words that explain the number and are longer than what is left of the page beside it";
+  const std::string words =
+      "some words that explain the number and are longer than what is left of the page beside it";
   std::string all;
   for (const char* name : {"short", "a_name_of_thirty_characters_ab"})
     all += table_row({name, "3 \u00b1 1"}, {30, 24}, words);

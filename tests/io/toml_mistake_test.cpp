@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-
 #include "supple/core/error.hpp"
 #include "supple/io/case_file.hpp"
 

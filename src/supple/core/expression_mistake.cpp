@@ -27,9 +27,12 @@ constexpr Foreign signs[] = {
     {"{", "write ( ) around what belongs together"},
 };
 constexpr Foreign words[] = {
-    {"and", "write a && b"},        {"or", "write a || b"},
-    {"not", "write a == 0"},        {"true", "write 1"},
-    {"false", "write 0"},           {"if", "write condition ? a : b"},
+    {"and", "write a && b"},
+    {"or", "write a || b"},
+    {"not", "write a == 0"},
+    {"true", "write 1"},
+    {"false", "write 0"},
+    {"if", "write condition ? a : b"},
     {"else", "write condition ? a : b"},
     {"pow", "a power is written x^y"},
     {"fabs", "did you mean 'abs'?"},
@@ -55,7 +58,8 @@ std::string lower(std::string text) {
 
 std::optional<ExpressionMistake> foreign_sign(const std::string& text) {
   for (const Foreign& f : signs)
-    if (text.find(f.text) != text.npos) return ExpressionMistake{fmt::format("there is no '{}'", f.text), std::string(f.to_do)};
+    if (text.find(f.text) != text.npos)
+      return ExpressionMistake{fmt::format("there is no '{}'", f.text), std::string(f.to_do)};
   return std::nullopt;
 }
 
@@ -86,7 +90,8 @@ ExpressionMistake find_mistake(const std::string& text, const mu::ParserError& e
       return {"a choice has two results", "write condition ? a : b"};
     case mu::ecUNEXPECTED_PARENS:
       if (at < text.size() && text[at] == '(')
-        return {fmt::format("nothing stands between '{}' and its bracket", name_at(text, at)), "write * for times"};
+        return {fmt::format("nothing stands between '{}' and its bracket", name_at(text, at)),
+                "write * for times"};
       return {"a bracket is closed that was not opened, or is empty", ""};
     case mu::ecUNEXPECTED_VAR:
     case mu::ecUNEXPECTED_VAL:
@@ -101,10 +106,13 @@ ExpressionMistake find_mistake(const std::string& text, const mu::ParserError& e
     default:
       break;
   }
-  if (const std::string name = name_at(text, at); !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])))
+  if (const std::string name = name_at(text, at);
+      !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])))
     return unknown_name(name, names);
   const auto end = std::min(text.find(' ', at), at + 10);
-  return {at < text.size() ? fmt::format("'{}' cannot stand there", text.substr(at, end - at)) : "it cannot be understood", ""};
+  return {at < text.size() ? fmt::format("'{}' cannot stand there", text.substr(at, end - at))
+                           : "it cannot be understood",
+          ""};
 }
 
 }  // namespace supple

@@ -10,7 +10,8 @@ class ParserError;
 namespace supple {
 
 struct ExpressionMistake {
-  std::string why, to_do;  ///< to_do: empty where nothing better is known than the list of what may stand there
+  std::string why,
+      to_do;  ///< to_do: empty where nothing better is known than the list of what may stand there
 };
 
 /// `names`: of variables, constants and functions.

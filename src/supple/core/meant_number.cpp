@@ -58,7 +58,8 @@ std::optional<std::string> meant_number(std::string_view text) {
   if (!marked) return number + exponent;
   const bool thousands = mark == ',' && fraction.size() == 3 && exponent.empty() && !whole.empty() &&
                          whole.size() <= 3 && whole.front() != '0';
-  return number + "." + (fraction.empty() ? "0" : fraction) + exponent + (thousands ? " or " + sign + whole + fraction : "");
+  return number + "." + (fraction.empty() ? "0" : fraction) + exponent +
+         (thousands ? " or " + sign + whole + fraction : "");
 }
 
 }  // namespace supple

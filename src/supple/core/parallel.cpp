@@ -98,8 +98,8 @@ class Pool {
     epoch_.notify_all();
   }
 
-  /// A helper counts itself in before it looks whether the loop is open, and the caller closes the loop before it
-  /// looks who is in: one of the two sees the other.
+  /// A helper counts itself in before it looks whether the loop is open, and the caller closes the loop
+  /// before it looks who is in: one of the two sees the other.
   void help(int id) {
     int seen = 0;
     while (!closing_) {

@@ -18,14 +18,15 @@ std::string padded(std::string text, std::size_t width) {
 }  // namespace
 
 std::size_t text_width(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::vector<std::string> wrap_pieces(const std::vector<std::string>& pieces, std::size_t width) {
   std::vector<std::string> lines{""};
   for (const std::string& piece : pieces) {
-    if (!lines.back().empty() && text_width(lines.back()) + 1 + text_width(piece) > width) lines.emplace_back();
+    if (!lines.back().empty() && text_width(lines.back()) + 1 + text_width(piece) > width)
+      lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + piece;
   }
   return lines;

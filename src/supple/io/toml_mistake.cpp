@@ -90,7 +90,8 @@ std::string how_to_write_integer(std::string_view text) {
   if (!number || number->find(' ') != number->npos) return "";
   const double value = std::strtod(number->c_str(), nullptr);
   if (value != std::floor(value)) return "";
-  return std::abs(value) < 1e15 ? fmt::format("write {:.0f}", value) : "integers go up to 9223372036854775807";
+  return std::abs(value) < 1e15 ? fmt::format("write {:.0f}", value)
+                                : "integers go up to 9223372036854775807";
 }
 
 TomlMistake find_value_mistake(std::string_view key, std::string_view value) {
@@ -101,7 +102,8 @@ TomlMistake find_value_mistake(std::string_view key, std::string_view value) {
     if (value.find(quote) != value.npos) return {"these are typographic quotes", "write plain ones: \"...\""};
   if (value.front() == '"' || value.front() == '\'') {
     if (value.size() == 1 || value.find(value.front(), 1) == value.npos)
-      return {"a quote is opened and not closed", "write " + std::string(1, value.front()) + " where the text ends"};
+      return {"a quote is opened and not closed",
+              "write " + std::string(1, value.front()) + " where the text ends"};
     if (value.find('\\') != value.npos)
       return {"a backslash between \" \" begins an escape", "write / in paths, or put the text between ' '"};
     if (value.back() != value.front()) return {"something stands behind the text", "comments begin with #"};
@@ -111,32 +113,38 @@ TomlMistake find_value_mistake(std::string_view key, std::string_view value) {
   if (value.ends_with(';')) return {"nothing ends a line", write(value.substr(0, value.size() - 1))};
   if (const auto slashes = value.find("//"); slashes != value.npos && slashes > 0)
     return {"a comment begins with #", write(trim(value.substr(0, slashes)))};
-  if (const auto truth = meant_truth(value)) return {fmt::format("'{}' is neither true nor false", value), write(*truth)};
+  if (const auto truth = meant_truth(value))
+    return {fmt::format("'{}' is neither true nor false", value), write(*truth)};
   if (const auto number = meant_number(value); number && *number == value)
     return {"the number is too large", "integers go up to 9223372036854775807"};
   if (const auto number = meant_number(value))
-    return {value.find(',') == value.npos ? "numbers have digits on both sides of the point and no zeros in front"
-                                          : "decimals have a point, not a comma",
+    return {value.find(',') == value.npos
+                ? "numbers have digits on both sides of the point and no zeros in front"
+                : "decimals have a point, not a comma",
             write(*number)};
   const std::size_t end = end_of_number(value);
   const std::string_view rest = trim(value.substr(end));
-  if (end > 0 && (std::isalpha(static_cast<unsigned char>(rest.front())) || rest.front() == '%' || rest.front() < 0))
+  if (end > 0 &&
+      (std::isalpha(static_cast<unsigned char>(rest.front())) || rest.front() == '%' || rest.front() < 0))
     return {"a number with a unit stands between quotes",
             write(fmt::format("\"{} {}\"", *meant_number(value.substr(0, end)), rest))};
-  if (end > 0) return {fmt::format("'{}' stands behind the number", rest), "a key has one value; comments begin with #"};
+  if (end > 0)
+    return {fmt::format("'{}' stands behind the number", rest), "a key has one value; comments begin with #"};
   return {"text stands between quotes", write(fmt::format("\"{}\"", value))};
 }
 
 TomlMistake find_toml_mistake(std::string_view text, std::size_t line) {
   const std::vector<std::string_view> lines = split_lines(text);
   if (line == 0 || line > lines.size()) return {};
-  if (const TomlMistake repetition = find_repetition(lines, line - 1); !repetition.why.empty()) return repetition;
+  if (const TomlMistake repetition = find_repetition(lines, line - 1); !repetition.why.empty())
+    return repetition;
   const std::string_view here = trim(without_comment(lines[line - 1]));
   if (here.starts_with('{')) return {"this looks like JSON", "a case is key = value, below [section]"};
   if (is_header(here)) {
     if (here.ends_with(']')) return {"the name of a section is letters, digits and _", ""};
     return {"the brackets of a section enclose its name and nothing follows them",
-            fmt::format("write [{}] on a line of its own", trim(here.substr(1, here.find_first_of("] =", 1) - 1)))};
+            fmt::format("write [{}] on a line of its own",
+                        trim(here.substr(1, here.find_first_of("] =", 1) - 1)))};
   }
   const auto equals = here.find('=');
   if (equals == here.npos) {
@@ -147,7 +155,8 @@ TomlMistake find_toml_mistake(std::string_view text, std::size_t line) {
   }
   const std::string_view key = key_of(here);
   if (key.empty()) return {"there is no key left of =", ""};
-  if (key.find_first_of(" \t") != key.npos) return {fmt::format("'{}' is no key: it has a space in it", key), ""};
+  if (key.find_first_of(" \t") != key.npos)
+    return {fmt::format("'{}' is no key: it has a space in it", key), ""};
   return find_value_mistake(key, here.substr(equals + 1));
 }
 

@@ -6,7 +6,8 @@
 
 namespace supple {
 
-/// "true" or "false" where the text is one of them as other languages and people write them: True, yes, OFF, ...
+/// "true" or "false" where the text is one of them as other languages and people write them: True, yes, OFF,
+/// ...
 std::optional<std::string_view> meant_truth(std::string_view text);
 
 /// "write 150" for "150", "150.0" or "1e3"; empty where the text is no integer.
