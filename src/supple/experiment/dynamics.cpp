@@ -75,16 +75,18 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   std::int64_t stopped_after = 0;
   for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {
     const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
-    const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
+    const bool keeps_frame = frames.due(i);
+    const Evaluation<2>& evaluation =
+        keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
-    if (frames.due(i)) recorder.frame(frame_of(s, evaluation, rates));
+    if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
     s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
     if (recorder.stop_requested()) stopped_after = i + 1;
   }
   recorder.progress("dynamics", steps, steps);
   const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
-  const Evaluation<2>& last = s.stepper->evaluate(s.system, rates);
+  const Evaluation<2>& last = s.stepper->evaluate_energies(s.system, rates);
   if (stopped_after == 0) {
     table.append(s.system, last, rates.now);
     recorder.frame(frame_of(s, last, rates));

@@ -11,6 +11,8 @@ namespace supple {
 
 namespace {
 
+constexpr const char* components[2][2] = {{"_xx", "_xy"}, {"_yx", "_yy"}};
+
 /// All but the contacts and the numbers of bodies.
 Frame frame_of_sites(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
@@ -81,10 +83,14 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const
 }
 
 void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress) {
-  constexpr const char* names[2][2] = {{"stress_xx", "stress_xy"}, {"stress_yx", "stress_yy"}};
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
-      for (const Mat2& s : stress) numbers[names[i][j]].push_back(s[i][j]);
+      for (const Mat2& s : stress) numbers[std::string("stress") + components[i][j]].push_back(s[i][j]);
+}
+
+void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat2& tensor) {
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) numbers[name + components[i][j]] = tensor[i][j];
 }
 
 RunInfo make_run_info(const System<2>& system, const Units& units) {

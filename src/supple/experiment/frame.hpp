@@ -1,5 +1,7 @@
 /// Frames from a system and its forces.
 #pragma once
+#include <string>
+
 #include "supple/contact/laws/harmonic.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/experiment/recorder.hpp"
@@ -17,6 +19,9 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const
 /// The stress tensor of each body, compression positive, as numbers stress_xx ... stress_yy; xy: force along x, line of
 /// action along y. Of a disc: (1/2 pi r^2) sum F l^T over its contacts.
 void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress);
+
+/// The components of a tensor as numbers NAME_xx ... NAME_yy.
+void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat2& tensor);
 
 /// What a run is: sizes and masses of the sites, their bodies or, of discs, crosslinked particles.
 RunInfo make_run_info(const System<2>& system, const Units& units);

@@ -136,9 +136,11 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   FrameSchedule frames(protocol.rows - 1, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
-    const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, rates);
+    const bool keeps_frame = frames.due(i);
+    const Evaluation<2>& evaluation =
+        keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
-    if (frames.due(i)) recorder.frame(frame_of(s, evaluation, rates));
+    if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
     if (recorder.stop_requested()) {
       table.finish(s.system, evaluation);
       throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));

@@ -34,12 +34,8 @@ void add_numbers(Frame& frame, const Packing& packing, const PackingReport& r, S
              contact = (1 / packing.pressure_unit) * r.stresses.contact;
   frame.numbers["packing_fraction"] = r.fraction.total;
   frame.numbers["pressure"] = pressure(total);
-  constexpr const char* components[2][2] = {{"_xx", "_xy"}, {"_yx", "_yy"}};
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) {
-      frame.numbers[std::string("stress") + components[i][j]] = total[i][j];
-      frame.numbers[std::string("contact_stress") + components[i][j]] = contact[i][j];
-    }
+  add_tensor(frame.numbers, "stress", total);
+  add_tensor(frame.numbers, "contact_stress", contact);
 }
 
 template <class T>

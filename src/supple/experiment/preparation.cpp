@@ -22,7 +22,7 @@ void run_preparation(const Case& c, const InitialState* initial, Recorder& recor
   Suspension s = make_suspension(c, nullptr, recorder);
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, nullptr, derived, recorder);
-  const Evaluation<2>& evaluation = s.stepper->evaluate(s.system, {});
+  const Evaluation<2>& evaluation = s.stepper->evaluate_energies(s.system, {});
   recorder.frame(frame_of(s, evaluation, {}));
   recorder.final_state(s.system, evaluation);
   const StressTensors stress = stress_tensors(s.system, evaluation, s.units.stress());

@@ -12,6 +12,9 @@
 #include "supple/model/convert.hpp"
 #include "supple/model/discs.hpp"
 #include "supple/model/sanity.hpp"
+#include "supple/observe/body_stress.hpp"
+#include "supple/observe/energy_balance.hpp"
+#include "supple/observe/stress.hpp"
 
 namespace supple {
 
@@ -148,10 +151,38 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
 
 }  // namespace
 
+namespace {
+
+/// Of free discs and of all spins, with the velocities that the frame gives: the flow has the rate of this instant.
+double kinetic_energy_of(const Frame& frame, const State<2>& s) {
+  double sum = 0;
+  for (std::size_t i = 0; i < frame.velocity.size(); ++i) {
+    if (frame.mobility[i] == Mobility::free) sum += 0.5 * s.mass[i] * dot(frame.velocity[i], frame.velocity[i]);
+    sum += 0.5 * s.inertia[i] * frame.spin[i] * frame.spin[i];
+  }
+  return sum;
+}
+
+/// Energies by term, and the stress of all contacts: (1/A) sum F l^T.
+void add_numbers(Frame& frame, const Suspension& s, const Evaluation<2>& evaluation) {
+  const Mat2 contact = stress_tensors(s.system, evaluation).virial;
+  frame.numbers["pressure"] = pressure(contact);
+  add_tensor(frame.numbers, "contact_stress", contact);
+  if (!s.stepper->has_energies()) return;
+  const EnergyState e = energy_state(s.system, evaluation);
+  frame.numbers["kinetic_energy"] = kinetic_energy_of(frame, s.system.state);
+  frame.numbers["contact_energy"] = e.elastic;
+  frame.numbers["tangential_energy"] = e.tangential;
+  frame.numbers["wall_energy"] = e.wall;
+}
+
+}  // namespace
+
 Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates) {
   Frame frame = make_frame(s.system, evaluation);
   s.stepper->bring_to_instant(s.system, rates.now, frame.velocity, frame.spin);
   frame.strain_rate = rates.now;
+  add_numbers(frame, s, evaluation);
   return frame;
 }
 

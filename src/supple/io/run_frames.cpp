@@ -88,11 +88,12 @@ const std::vector<Column>& known_numbers() {
       {"rattler", "", "1: held by too few contacts to bear pressure"},
       {"packing_fraction", "", "covered area over area of the cell"},
       {"uniaxial_strain", "", "how far the upper wall has come down, over the first height"},
-      {"kinetic_energy", "", "energy of motion"},
-      {"shape_energy", "", "energy of shapes"},
-      {"contact_energy", "", "energy stored in contacts"},
-      {"wall_energy", "", "energy stored in contacts with walls"},
-      {"external_energy", "", "energy in gravity and tethers"},
+      {"kinetic_energy", "energy", "energy of motion"},
+      {"shape_energy", "energy", "energy of shapes"},
+      {"contact_energy", "energy", "energy stored in contacts"},
+      {"tangential_energy", "energy", "energy stored in tangential springs"},
+      {"wall_energy", "energy", "energy stored in contacts with walls"},
+      {"external_energy", "energy", "energy in gravity and tethers"},
   };
   return known;
 }
@@ -100,9 +101,10 @@ const std::vector<Column>& known_numbers() {
 void describe_number(h5::Object& made, const std::string& name, const Units& units) {
   const bool reduced = units.name == reduced_units().name;
   const std::string pressure = reduced ? "pressure_unit" : unit_text(units, units.stress(), "Pa");
+  const std::string energy = unit_text(units, units.torque(), "J/m");
   for (const Column& known : known_numbers())
     if (known.name == name) {
-      made.set("unit", known.unit == "pressure" ? pressure : known.unit);
+      made.set("unit", known.unit == "pressure" ? pressure : known.unit == "energy" ? energy : known.unit);
       made.set("meaning", known.meaning);
     }
   if (name.find("stress_") == name.npos) return;

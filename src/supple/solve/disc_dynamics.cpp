@@ -88,7 +88,7 @@ const Evaluation<2>& DiscDynamics::evaluate(System<2>& system, ShearRates) {
   return evaluation_;
 }
 
-const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system) {
+const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system, ShearRates) {
   forces_.evaluate(system, Detail::energies, evaluation_);
   return evaluation_;
 }

@@ -19,7 +19,8 @@ class DiscDynamics : public Stepper {
                         std::vector<double>& spin) const override;
   void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
   /// The same as evaluate() with energies, dissipated power and virial.
-  const Evaluation<2>& evaluate_energies(System<2>& system);
+  const Evaluation<2>& evaluate_energies(System<2>& system, ShearRates = {}) override;
+  bool has_energies() const override { return true; }
 
   void set_friction(double coefficient) override { forces_.contacts().set_friction(coefficient); }
   double friction() const override { return forces_.contacts().law().friction; }

@@ -20,6 +20,9 @@ class Stepper {
   virtual ~Stepper() = default;
   /// Forces and contacts at the present instant, as the tensors see them. Commits nothing.
   virtual const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) = 0;
+  /// The same with energies and virial, where has_energies().
+  virtual const Evaluation<2>& evaluate_energies(System<2>& system, ShearRates rates) { return evaluate(system, rates); }
+  virtual bool has_energies() const { return false; }
   /// From the present instant to dt later, evaluate() having been called; `damping` multiplies, once, velocity
   /// relative to the flow and spin. Throws a numerics error that names step and disc if a value is not finite.
   virtual void advance(System<2>& system, ShearRates rates, double dt, double damping) = 0;
