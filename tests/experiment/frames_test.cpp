@@ -40,8 +40,10 @@ MemoryRecorder recorded(const std::string& text) {
 }
 
 std::string dynamics(int steps, const std::string& output = "") {
-  return "experiment = \"dynamics\"\n[particles]\nN = 24\ncut_lines = 0\n[material]\nfriction = 0.3\n[shear]\nrate = \"1000\"\n"
-         "[time]\nsteps = " + std::to_string(steps) + "\n[output]\n" + output;
+  return "experiment = \"dynamics\"\n[particles]\nN = 24\ncut_lines = 0\n[material]\nfriction = "
+         "0.3\n[shear]\nrate = \"1000\"\n"
+         "[time]\nsteps = " +
+         std::to_string(steps) + "\n[output]\n" + output;
 }
 
 /// 34 frames for 30, 100 for 51, and never the last instant.
@@ -69,7 +71,8 @@ TEST(Frames, OfDiscsHoldForcesStressesAndEnergiesThatAddUp) {
       force[static_cast<std::size_t>(c.first)] += c.force;
       force[static_cast<std::size_t>(c.second)] += -1 * c.force;
       EXPECT_EQ(c.normal_force, c.elastic + c.viscous);
-      EXPECT_NEAR(dot(c.force, c.force), c.normal_force * c.normal_force + c.tangential_force * c.tangential_force,
+      EXPECT_NEAR(dot(c.force, c.force),
+                  c.normal_force * c.normal_force + c.tangential_force * c.tangential_force,
                   1e-12 * dot(c.force, c.force));
       largest = std::max(largest, norm(c.force));
     }
@@ -98,8 +101,9 @@ TEST(Frames, OfDiscsHoldForcesStressesAndEnergiesThatAddUp) {
 
 /// The strain was stored as the time.
 TEST(Frames, OfACompressionBetweenWallsHaveTheirStrainByName) {
-  const MemoryRecorder r = recorded("experiment = \"uniaxial_compression\"\n[bodies]\nfamily = \"disc\"\nN = 6\n"
-                                    "[uniaxial]\nstrain = 0.1\nstep = 0.01\n[output]\nframes = 6\n");
+  const MemoryRecorder r = recorded(
+      "experiment = \"uniaxial_compression\"\n[bodies]\nfamily = \"disc\"\nN = 6\n"
+      "[uniaxial]\nstrain = 0.1\nstep = 0.01\n[output]\nframes = 6\n");
   ASSERT_EQ(r.frames.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_NEAR(r.frames[k].numbers.at("uniaxial_strain"), 0.02 * static_cast<double>(k), 1e-12);
@@ -108,14 +112,17 @@ TEST(Frames, OfACompressionBetweenWallsHaveTheirStrainByName) {
   }
 }
 
-/// The instant at which the wall goes was there twice, in the table and among the frames: ParaView then lost all times.
+/// The instant at which the wall goes was there twice, in the table and among the frames: ParaView then lost
+/// all times.
 TEST(Frames, AndRowsOfASlumpHaveEachInstantOnce) {
-  const MemoryRecorder r = recorded("experiment = \"slump\"\n[bodies]\nfamily = \"disc\"\nN = 2\n[slump]\nspread_time = 20\n"
-                                    "settle_time = 20\n[output]\nframes = 8\n");
+  const MemoryRecorder r = recorded(
+      "experiment = \"slump\"\n[bodies]\nfamily = \"disc\"\nN = 2\n[slump]\nspread_time = 20\n"
+      "settle_time = 20\n[output]\nframes = 8\n");
   const std::vector<double> t = r.tables.at("motion").column("time");
   for (std::size_t k = 1; k < t.size(); ++k) EXPECT_GT(t[k], t[k - 1]) << "row " << k;
   ASSERT_GT(r.frames.size(), 2u);
-  for (std::size_t k = 1; k < r.frames.size(); ++k) EXPECT_GT(r.frames[k].time, r.frames[k - 1].time) << "frame " << k;
+  for (std::size_t k = 1; k < r.frames.size(); ++k)
+    EXPECT_GT(r.frames[k].time, r.frames[k - 1].time) << "frame " << k;
 }
 
 }  // namespace

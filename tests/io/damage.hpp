@@ -1,4 +1,5 @@
-/// HDF5 files with one thing in them that cannot be: made with HDF5's own calls, so that the file itself is sound.
+/// HDF5 files with one thing in them that cannot be: made with HDF5's own calls, so that the file itself is
+/// sound.
 #pragma once
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -25,13 +26,29 @@ inline std::vector<std::string> datasets_of(const std::string& path) {
 
 /// What is done to a dataset. Numbers: of one element, chosen by the seed.
 enum class Damage {
-  removed, shorter, longer, emptied, flattened, nested, enormous, other_type, a_group,
-  minus_one, large, largest, not_a_number, infinite, far, not_utf8, no_attributes
+  removed,
+  shorter,
+  longer,
+  emptied,
+  flattened,
+  nested,
+  enormous,
+  other_type,
+  a_group,
+  minus_one,
+  large,
+  largest,
+  not_a_number,
+  infinite,
+  far,
+  not_utf8,
+  no_attributes
 };
 constexpr Damage all_damages[] = {
-    Damage::removed, Damage::shorter, Damage::longer, Damage::emptied, Damage::flattened, Damage::nested,
-    Damage::enormous, Damage::other_type, Damage::a_group, Damage::minus_one, Damage::large, Damage::largest,
-    Damage::not_a_number, Damage::infinite, Damage::far, Damage::not_utf8, Damage::no_attributes};
+    Damage::removed,  Damage::shorter,      Damage::longer,       Damage::emptied,  Damage::flattened,
+    Damage::nested,   Damage::enormous,     Damage::other_type,   Damage::a_group,  Damage::minus_one,
+    Damage::large,    Damage::largest,      Damage::not_a_number, Damage::infinite, Damage::far,
+    Damage::not_utf8, Damage::no_attributes};
 
 /// One dataset in memory, as a file holds it.
 class DamagedDataset {
@@ -51,14 +68,18 @@ class DamagedDataset {
   /// False where this damage means nothing for such values.
   bool apply(Damage damage, std::uint64_t seed) {
     switch (damage) {
-      case Damage::removed: return H5Ldelete(file_, name_.c_str(), H5P_DEFAULT) >= 0;
+      case Damage::removed:
+        return H5Ldelete(file_, name_.c_str(), H5P_DEFAULT) >= 0;
       case Damage::a_group:
         H5Ldelete(file_, name_.c_str(), H5P_DEFAULT);
         H5Gclose(H5Gcreate2(file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
         return true;
-      case Damage::shorter: return reshape(-1);
-      case Damage::longer: return reshape(1);
-      case Damage::emptied: return reshape(shape_.empty() ? 0 : -static_cast<std::int64_t>(shape_[0]));
+      case Damage::shorter:
+        return reshape(-1);
+      case Damage::longer:
+        return reshape(1);
+      case Damage::emptied:
+        return reshape(shape_.empty() ? 0 : -static_cast<std::int64_t>(shape_[0]));
       case Damage::flattened:
         if (shape_.size() < 2) return false;
         shape_ = {count()};
@@ -70,13 +91,16 @@ class DamagedDataset {
         if (shape_.empty()) return false;
         shape_[0] = std::uint64_t{1} << 40;
         return replace();
-      case Damage::other_type: return change_type();
+      case Damage::other_type:
+        return change_type();
       case Damage::not_utf8:
         if (H5Tget_class(type_) != H5T_STRING || values_.size() < 2) return false;
         values_[0] = '\xff';
         return replace();
-      case Damage::no_attributes: return remove_attributes();
-      default: return change_number(damage, seed);
+      case Damage::no_attributes:
+        return remove_attributes();
+      default:
+        return change_number(damage, seed);
     }
   }
 
@@ -108,8 +132,11 @@ class DamagedDataset {
     if (values_.empty()) return false;
     char* at = values_.data() + width * (seed % count());
     if (H5Tget_class(type_) == H5T_FLOAT) {
-      const double value = damage == Damage::not_a_number ? std::nan("") : damage == Damage::infinite ? HUGE_VAL
-                         : damage == Damage::far ? 1e200 : damage == Damage::minus_one ? -1 : 0;
+      const double value = damage == Damage::not_a_number ? std::nan("")
+                           : damage == Damage::infinite   ? HUGE_VAL
+                           : damage == Damage::far        ? 1e200
+                           : damage == Damage::minus_one  ? -1
+                                                          : 0;
       if (damage == Damage::large || damage == Damage::largest) return false;
       std::memcpy(at, &value, sizeof value);
       return replace();
@@ -157,7 +184,8 @@ class DamagedDataset {
     return true;
   }
   static void copy_attribute(hid_t from, hid_t to, const char* name) {
-    const hid_t source = H5Aopen(from, name, H5P_DEFAULT), type = H5Aget_type(source), space = H5Aget_space(source);
+    const hid_t source = H5Aopen(from, name, H5P_DEFAULT), type = H5Aget_type(source),
+                space = H5Aget_space(source);
     std::vector<char> value(H5Tget_size(type));
     H5Aread(source, type, value.data());
     const hid_t made = H5Acreate2(to, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
@@ -174,7 +202,8 @@ class DamagedDataset {
 };
 
 /// Damages the dataset `name` of a file; false where this damage means nothing for it.
-inline bool damage_dataset(const std::string& path, const std::string& name, Damage damage, std::uint64_t seed) {
+inline bool damage_dataset(const std::string& path, const std::string& name, Damage damage,
+                           std::uint64_t seed) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   bool done = false;
   {

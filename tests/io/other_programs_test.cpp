@@ -17,8 +17,8 @@ class OtherPrograms : public CommandTest {
   /// Output and exit code of a shell command in the test's folder.
   Outcome shell(const std::string& line) {
     const std::string out = path("out.txt").string(), err = path("err.txt").string();
-    const int status =
-        std::system(("cd '" + path("").string() + "' && (" + line + ") >'" + out + "' 2>'" + err + "'").c_str());
+    const int status = std::system(
+        ("cd '" + path("").string() + "' && (" + line + ") >'" + out + "' 2>'" + err + "'").c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
   }
   bool answers(const std::string& line) { return shell(line).code == 0; }
@@ -28,8 +28,9 @@ class OtherPrograms : public CommandTest {
     ASSERT_EQ(supple("run gel.toml").code, 0);
   }
   void make_jam() {
-    write("jam.toml", "experiment = \"jamming\"\n[bodies]\nN = 8\nvertices = 10\n[jamming]\npressure = 1e-3\n"
-                      "packing_fraction = 0.6\nstep = 0.02\n[output]\nplot = false\nsnapshot = false\n");
+    write("jam.toml",
+          "experiment = \"jamming\"\n[bodies]\nN = 8\nvertices = 10\n[jamming]\npressure = 1e-3\n"
+          "packing_fraction = 0.6\nstep = 0.02\n[output]\nplot = false\nsnapshot = false\n");
     ASSERT_EQ(supple("run jam.toml").code, 0);
   }
   RunFile run(const std::string& name) { return RunFile(path(name).string()); }
@@ -44,10 +45,13 @@ TEST_F(OtherPrograms, AseReadsExtendedXyz) {
   make_jam();
   for (const std::string name : {"gel", "jam"}) {
     ASSERT_EQ(supple("export " + name + ".h5 --to xyz").code, 0);
-    const Outcome read = shell("/usr/bin/python3 -c \"import ase.io, json\n"
-                               "frames = ase.io.read('" + name + ".xyz', ':')\n"
-                               "print(json.dumps([[len(f), f.positions[0].tolist(), f.arrays['velo'][0].tolist(),"
-                               " float(f.cell[0][0]), float(f.arrays['radius'][0]), float(f.info['Time'])] for f in frames]))\"");
+    const Outcome read = shell(
+        "/usr/bin/python3 -c \"import ase.io, json\n"
+        "frames = ase.io.read('" +
+        name +
+        ".xyz', ':')\n"
+        "print(json.dumps([[len(f), f.positions[0].tolist(), f.arrays['velo'][0].tolist(),"
+        " float(f.cell[0][0]), float(f.arrays['radius'][0]), float(f.info['Time'])] for f in frames]))\"");
     ASSERT_EQ(read.code, 0) << read.err;
     const Json frames = Json::parse(read.out);
     const RunFile file = run(name + ".h5");
@@ -77,14 +81,17 @@ TEST_F(OtherPrograms, VtkReadsEveryFrameWithItsTimeAndAreas) {
   ASSERT_EQ(supple("export jam.h5 --to vtp --cells triangles").code, 0);
   const RunFile file = run("jam.h5");
   const Frame frame = file.frame(0);
-  const Outcome read = shell("/usr/bin/python3 " SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py jam_frames/frame0000000.vtp");
+  const Outcome read =
+      shell("/usr/bin/python3 " SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py jam_frames/frame0000000.vtp");
   ASSERT_EQ(read.code, 0) << read.err;
   const Json mesh = Json::parse(read.out);
   std::vector<double> area(frame.body.at("area").size());
   const Json& ids = mesh["of_cells"]["id"]["values"];
   for (std::size_t c = 0; c < mesh["polygons"].size(); ++c) {
     const Json& cell = mesh["polygons"][c];
-    const auto x = [&](std::size_t k, std::size_t d) { return mesh["points"][cell[k].get<std::size_t>()][d].get<double>(); };
+    const auto x = [&](std::size_t k, std::size_t d) {
+      return mesh["points"][cell[k].get<std::size_t>()][d].get<double>();
+    };
     area[ids[c][0].get<std::size_t>()] +=
         0.5 * std::abs((x(1, 0) - x(0, 0)) * (x(2, 1) - x(0, 1)) - (x(1, 1) - x(0, 1)) * (x(2, 0) - x(0, 0)));
   }
@@ -94,7 +101,8 @@ TEST_F(OtherPrograms, VtkReadsEveryFrameWithItsTimeAndAreas) {
 }
 
 TEST_F(OtherPrograms, VtkJsReadsFrames) {
-  const std::string from = std::getenv("SUPPLE_NODE_MODULES") ? std::getenv("SUPPLE_NODE_MODULES") : SUPPLE_SOURCE_DIR;
+  const std::string from =
+      std::getenv("SUPPLE_NODE_MODULES") ? std::getenv("SUPPLE_NODE_MODULES") : SUPPLE_SOURCE_DIR;
   const std::string find = "node -e \"require('module').createRequire('" + from +
                            "/').resolve('@kitware/vtk.js/IO/XML/XMLPolyDataReader.js')\"";
   SKIP_WITHOUT("vtk.js (npm install @kitware/vtk.js; SUPPLE_NODE_MODULES names the folder)", find);
@@ -109,7 +117,8 @@ TEST_F(OtherPrograms, VtkJsReadsFrames) {
                                  "_frames/frame0000000.vtp");
       ASSERT_EQ(read.code, 0) << read.err;
       const Json mesh = Json::parse(read.out);
-      const std::size_t bodies = name == "gel" ? file.info().radius.size() : file.info().body_begin.size() - 1;
+      const std::size_t bodies =
+          name == "gel" ? file.info().radius.size() : file.info().body_begin.size() - 1;
       EXPECT_GT(mesh["points"].get<std::size_t>(), bodies);
       if (cells != "triangles") {
         EXPECT_EQ(mesh["polygons"].get<std::size_t>(), bodies) << name << ' ' << cells;
@@ -124,16 +133,18 @@ TEST_F(OtherPrograms, VtkJsReadsFrames) {
 TEST_F(OtherPrograms, OctaveReadsTablesResultsAndTexts) {
   SKIP_WITHOUT("Octave", "octave-cli --version");
   make_gel();
-  const Outcome read = shell("octave-cli --quiet --no-init-file --eval \""
-                             "f = load('gel.h5'); printf('%.17g %d %.17g %.17g %s\\n', f.tables.stress.t(end), "
-                             "numel(f.tables.stress.t), f.results.storage_modulus_virial, f.frames.position(2, 1, 1), "
-                             "class(f.final_state.time))\"");
+  const Outcome read = shell(
+      "octave-cli --quiet --no-init-file --eval \""
+      "f = load('gel.h5'); printf('%.17g %d %.17g %.17g %s\\n', f.tables.stress.t(end), "
+      "numel(f.tables.stress.t), f.results.storage_modulus_virial, f.frames.position(2, 1, 1), "
+      "class(f.final_state.time))\"");
   ASSERT_EQ(read.code, 0) << read.err;
   const RunFile file = run("gel.h5");
   double time = 0, modulus = 0, y = 0;
   int rows = 0;
   char kind[32] = "";
-  ASSERT_EQ(std::sscanf(read.out.c_str(), "%lf %d %lf %lf %31s", &time, &rows, &modulus, &y, kind), 5) << read.out;
+  ASSERT_EQ(std::sscanf(read.out.c_str(), "%lf %d %lf %lf %31s", &time, &rows, &modulus, &y, kind), 5)
+      << read.out;
   EXPECT_EQ(time, file.column("stress", "t").back());
   EXPECT_EQ(rows, file.rows("stress"));
   EXPECT_EQ(modulus, file.value("results", "storage_modulus_virial"));
@@ -184,9 +195,10 @@ TEST_F(OtherPrograms, NumpyReadsTheTableWithItsUnits) {
   SKIP_WITHOUT("numpy", "/usr/bin/python3 -c 'import numpy'");
   make_gel();
   ASSERT_EQ(supple("export gel.h5 --to csv").code, 0);
-  const Outcome read = shell("/usr/bin/python3 -c \"import numpy as np\n"
-                             "t = np.genfromtxt('gel.csv', delimiter=',', names=True)\n"
-                             "print(repr(float(t['t_s'][-1])), repr(float(t['shear_stress_virial_Pa'][-2])))\"");
+  const Outcome read = shell(
+      "/usr/bin/python3 -c \"import numpy as np\n"
+      "t = np.genfromtxt('gel.csv', delimiter=',', names=True)\n"
+      "print(repr(float(t['t_s'][-1])), repr(float(t['shear_stress_virial_Pa'][-2])))\"");
   ASSERT_EQ(read.code, 0) << read.err;
   double time = 0, stress = 0;
   ASSERT_EQ(std::sscanf(read.out.c_str(), "%lf %lf", &time, &stress), 2);

@@ -62,7 +62,9 @@ TEST_F(RunSize, AJamOfSixteenDiscsIsBelow100kB) {
 TEST_F(RunSize, ALargeRunIsLittleMoreThanItsNumbers) {
   write_case("gel", "[particles]\nN = 40\ncut_lines = 0\n[shear]\nperiods = 2\n");
   write_case("jam", "experiment = \"jamming\"\n[bodies]\nN = 24\nvertices = 20\n");
-  write_case("move", "experiment = \"dynamics\"\n[particles]\nN = 60\ncut_lines = 0\n[shear]\nrate = \"100\"\n[time]\nsteps = 300\n",
+  write_case("move",
+             "experiment = \"dynamics\"\n[particles]\nN = 60\ncut_lines = 0\n[shear]\nrate = "
+             "\"100\"\n[time]\nsteps = 300\n",
              "frames = 100\n");
   for (const std::string name : {"gel", "jam", "move"}) {
     const Outcome run = supple("run " + name + ".toml");
@@ -82,12 +84,15 @@ TEST_F(RunSize, ArraysStandInHeadersOrInCheckedPieces) {
   EXPECT_THAT(weight.unchecked, testing::IsEmpty());
 }
 
-/// HDF5 1.10 crashes after a write that failed; files are made in memory. A limit of 300 kB stands for a full disk.
+/// HDF5 1.10 crashes after a write that failed; files are made in memory. A limit of 300 kB stands for a full
+/// disk.
 TEST_F(RunSize, AFullDiskIsAFileErrorThatLeavesWhatIsComplete) {
   if (std::system("bash -c 'ulimit -f 300' >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "this shell cannot limit the size of files";
-  write_case("gel", "seed = 3\n[particles]\nN = 40\ncut_lines = 0\n[shear]\namplitude = 0.02\n", "frames = 400\n");
-  const std::string line = "cd '" + path("").string() + "' && bash -c \"trap '' XFSZ; ulimit -f 300; exec '" SUPPLE_COMMAND
+  write_case("gel", "seed = 3\n[particles]\nN = 40\ncut_lines = 0\n[shear]\namplitude = 0.02\n",
+             "frames = 400\n");
+  const std::string line = "cd '" + path("").string() +
+                           "' && bash -c \"trap '' XFSZ; ulimit -f 300; exec '" SUPPLE_COMMAND
                            "' run gel.toml\" >out 2>err";
   const int status = std::system(line.c_str());
   ASSERT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);

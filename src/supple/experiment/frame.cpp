@@ -65,13 +65,13 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
   return frame;
 }
 
-Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation, const std::vector<ContactRecord<2>>& records,
-                 const Harmonic& law) {
+Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
+                 const std::vector<ContactRecord<2>>& records, const Harmonic& law) {
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
   for (const SiteContact& c : site_contacts(system, records, law))
-    rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0, c.normal_force(), 0,
-                    c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
+    rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0,
+                    c.normal_force(), 0, c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
   const auto pair = [](const ContactRow& row) { return std::pair(row.first, row.second); };
   std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return pair(a) < pair(b); });
   std::size_t kept = 0;
@@ -96,9 +96,14 @@ void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat2& ten
 RunInfo make_run_info(const System<2>& system, const Units& units) {
   const State<2>& s = system.state;
   const std::vector<std::int32_t>& begin = system.topology.begin;
-  return {units,  system.box, s.radius,
-          s.mass, s.inertia,  begin.empty() ? connected_particles(system, LinkKind::all) : bodies_of_sites(system.topology, s.size()),
-          begin};
+  return {
+      units,
+      system.box,
+      s.radius,
+      s.mass,
+      s.inertia,
+      begin.empty() ? connected_particles(system, LinkKind::all) : bodies_of_sites(system.topology, s.size()),
+      begin};
 }
 
 }  // namespace supple

@@ -6,8 +6,8 @@
 
 namespace supple {
 
-/// `frames` of the instants 0 ... last, evenly spaced, the first and the last included (one alone: the last); all of
-/// them where there are fewer. due() is asked for each instant in order.
+/// `frames` of the instants 0 ... last, evenly spaced, the first and the last included (one alone: the last);
+/// all of them where there are fewer. due() is asked for each instant in order.
 class FrameSchedule {
  public:
   FrameSchedule(std::int64_t last, std::int64_t frames)
@@ -22,7 +22,8 @@ class FrameSchedule {
  private:
   std::int64_t at(std::int64_t k) const {
     if (intervals_ < 1) return last_;
-    return std::llround(static_cast<double>(k) * static_cast<double>(last_) / static_cast<double>(intervals_));
+    return std::llround(static_cast<double>(k) * static_cast<double>(last_) /
+                        static_cast<double>(intervals_));
   }
   std::int64_t last_, intervals_, next_;
 };

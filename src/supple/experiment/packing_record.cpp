@@ -26,8 +26,10 @@ void add_body_stresses(Frame& frame, const Packing& packing, const PackingReport
 /// Energies of the whole by term and, where the particles fill a cell, its stress and that of the contacts.
 void add_numbers(Frame& frame, const Packing& packing, const PackingReport& r, Surroundings surroundings) {
   const EnergyParts& e = r.evaluation.energy;
-  frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system)}, {"shape_energy", e.terms},
-                   {"contact_energy", e.elastic},  {"wall_energy", e.wall},
+  frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system)},
+                   {"shape_energy", e.terms},
+                   {"contact_energy", e.elastic},
+                   {"wall_energy", e.wall},
                    {"external_energy", e.external}};
   if (surroundings == Surroundings::open) return;
   const Mat2 total = (1 / packing.pressure_unit) * r.stresses.total(),
@@ -45,23 +47,26 @@ std::vector<double> as_numbers(const std::vector<T>& values) {
 
 void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorder) {
   if (!r.soundness.sound())
-    recorder.warning(fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
+    recorder.warning(
+        fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
   if (progress.unconverged > 0)
-    recorder.warning(fmt::format("{} of {} minimisations stopped before their tolerance{}", progress.unconverged,
-                                 progress.minimisations,
-                                 progress.last.converged ? "" : ", the last one too: " + progress.last.reason));
+    recorder.warning(
+        fmt::format("{} of {} minimisations stopped before their tolerance{}", progress.unconverged,
+                    progress.minimisations,
+                    progress.last.converged ? "" : ", the last one too: " + progress.last.reason));
 }
 
 }  // namespace
 
 std::vector<Derived> derived_packing(const Packing& packing) {
   const System<2>& s = packing.system;
-  return {{{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
-          {{"sites", "", "vertices and discs"}, static_cast<double>(s.state.size())},
-          {{"cell_width", "", "width of the cell at the start"}, packing.cell.length[flow]},
-          {{"cell_height", "", "height of the cell at the start"}, packing.cell.length[gradient]},
-          {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / packing.cell.volume()},
-          {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
+  return {
+      {{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
+      {{"sites", "", "vertices and discs"}, static_cast<double>(s.state.size())},
+      {{"cell_width", "", "width of the cell at the start"}, packing.cell.length[flow]},
+      {{"cell_height", "", "height of the cell at the start"}, packing.cell.length[gradient]},
+      {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / packing.cell.volume()},
+      {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
 }
 
 std::vector<Derived> derived_equilibria(const Packing& packing) {
@@ -104,19 +109,20 @@ PackingReport report_packing(Packing& packing) {
 
 std::vector<Column> packing_columns(const Packing& packing) {
   const std::string& unit = packing.pressure_symbol;
-  return {{"packing_fraction", "", "covered area over area of the cell"},
-          {"pressure", unit, "full virial pressure (9.26)"},
-          {"contact_pressure", unit, "pressure by contacts alone"},
-          {"stress_xx", unit, "full stress, compression positive"},
-          {"stress_yy", unit, "full stress, compression positive"},
-          {"stress_xy", unit, "full stress, compression positive"},
-          {"energy", "", "potential energy"},
-          {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-          {"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
-          {"residual", "", "largest net force on a vertex, or on a rigid particle"},
-          {"tolerance", "", "residual at which its minimisation was done"},
-          {"evaluations", "", "force evaluations so far"},
-          {"unsound", "", unsound_meaning}};
+  return {
+      {"packing_fraction", "", "covered area over area of the cell"},
+      {"pressure", unit, "full virial pressure (9.26)"},
+      {"contact_pressure", unit, "pressure by contacts alone"},
+      {"stress_xx", unit, "full stress, compression positive"},
+      {"stress_yy", unit, "full stress, compression positive"},
+      {"stress_xy", unit, "full stress, compression positive"},
+      {"energy", "", "potential energy"},
+      {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
+      {"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
+      {"residual", "", "largest net force on a vertex, or on a rigid particle"},
+      {"tolerance", "", "residual at which its minimisation was done"},
+      {"evaluations", "", "force evaluations so far"},
+      {"unsound", "", unsound_meaning}};
 }
 
 std::vector<double> packing_row(const Packing& packing, const PackingReport& r, const JamProgress& work) {
@@ -155,7 +161,8 @@ namespace {
 void record_environment(const Packing& packing, Recorder& recorder) {
   const Environment environment = environment_of(packing);
   for_each_wall(environment, [&](const std::string& name, bool stands) {
-    recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"}, stands);
+    recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"},
+                   stands);
   });
   recorder.value(environment_group, {"gravity", "", "acceleration downward"}, -environment.gravity[gradient]);
 }
@@ -195,11 +202,13 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   if (const auto shape = mean_shape_parameter(r.shapes))
     number("mean_shape_parameter", "mean p^2/(4 pi a) of the polygons", *shape);
   if (packing.outline == Outline::smooth)
-    number("feature_violations", "vertices near a part of a boundary that is no simple arc, where corners and edges do "
+    number("feature_violations",
+           "vertices near a part of a boundary that is no simple arc, where corners and edges do "
            "not add up to one contact",
            packing.field->bodies()->feature_violations());
   else if (r.soundness.longest_edge > 0)
-    number("longest_edge", "longest edge over the distance at which the vertices at its ends touch; from 2 on others pass",
+    number("longest_edge",
+           "longest edge over the distance at which the vertices at its ends touch; from 2 on others pass",
            r.soundness.longest_edge);
   if (!moves) {
     number("minimisations", "minimisations", static_cast<double>(progress.minimisations));

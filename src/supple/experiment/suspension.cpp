@@ -41,11 +41,12 @@ CrosslinkSpec crosslink_spec(const Case& c) {
 
 namespace {
 
-/// Shear stress to expect at a strain of 20 %, E/100: between free discs (E/200) and a bulk scaffold (E/25). It is no
-/// function of the protocol, so that one seed is one sample.
+/// Shear stress to expect at a strain of 20 %, E/100: between free discs (E/200) and a bulk scaffold (E/25).
+/// It is no function of the protocol, so that one seed is one sample.
 double typical_stress(const Case& c) { return c.material.young_modulus / 100; }
 
-/// From a state file: contacts remember; boundary and plates are those of the case, which has adopted the state's.
+/// From a state file: contacts remember; boundary and plates are those of the case, which has adopted the
+/// state's.
 void take_state(Suspension& s, const Case& c, const InitialState& initial) {
   s.system = initial.system;
   convert(s.system, initial.units, s.units);
@@ -66,7 +67,8 @@ void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, co
   spec.time_step = k.relaxation_step;
   spec.tolerance = c.preparation.stress_tolerance * typical_stress(c);
   const double steps = std::min(c.preparation.max_time * k.tau / spec.time_step, most_counted);
-  spec.most_steps = std::max<std::int64_t>(1000, whole_number(steps, "steps of the preparation", "lower preparation.max_time"));
+  spec.most_steps = std::max<std::int64_t>(
+      1000, whole_number(steps, "steps of the preparation", "lower preparation.max_time"));
   const auto relax_until_still = [&](const char* phase, bool rough) {
     relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
   };
@@ -153,11 +155,13 @@ Suspension make_package(const Case& c, const InitialState* initial, Recorder& re
 
 namespace {
 
-/// Of free discs and of all spins, with the velocities that the frame gives: the flow has the rate of this instant.
+/// Of free discs and of all spins, with the velocities that the frame gives: the flow has the rate of this
+/// instant.
 double kinetic_energy_of(const Frame& frame, const State<2>& s) {
   double sum = 0;
   for (std::size_t i = 0; i < frame.velocity.size(); ++i) {
-    if (frame.mobility[i] == Mobility::free) sum += 0.5 * s.mass[i] * dot(frame.velocity[i], frame.velocity[i]);
+    if (frame.mobility[i] == Mobility::free)
+      sum += 0.5 * s.mass[i] * dot(frame.velocity[i], frame.velocity[i]);
     sum += 0.5 * s.inertia[i] * frame.spin[i] * frame.spin[i];
   }
   return sum;

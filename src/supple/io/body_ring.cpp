@@ -15,7 +15,8 @@ double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 double area(std::span<const Vec2> ring) {
   double sum = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) sum += 0.5 * twice_area(ring[0], ring[k], ring[(k + 1) % ring.size()]);
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    sum += 0.5 * twice_area(ring[0], ring[k], ring[(k + 1) % ring.size()]);
   return sum;
 }
 
@@ -46,7 +47,8 @@ std::vector<Vec2> outer_ring(std::span<const Vec2> ring, std::span<const double>
   const double thick = *std::max_element(radius.begin(), radius.end());
   std::vector<Vec2> outer(ring.begin(), ring.end());
   double largest = 0;
-  for (std::vector<Vec2>& curve : closed_curves(body_outline(ring, radius, thick * std::numbers::pi / 16), 1e-6 * thick))
+  for (std::vector<Vec2>& curve :
+       closed_curves(body_outline(ring, radius, thick * std::numbers::pi / 16), 1e-6 * thick))
     if (const double its = area(curve); its > largest) {
       largest = its;
       outer = std::move(curve);
@@ -65,8 +67,8 @@ std::vector<std::array<std::size_t, 3>> triangulate(std::span<const Vec2> ring) 
     if (!(twice_area(a, b, c) > 0)) return false;
     return std::none_of(left.begin(), left.end(), [&](std::size_t p) {
       const Vec2& x = ring[p];
-      return p != at(k) && p != at(k + 1) && p != at(k + 2) && twice_area(a, b, x) >= 0 && twice_area(b, c, x) >= 0 &&
-             twice_area(c, a, x) >= 0;
+      return p != at(k) && p != at(k + 1) && p != at(k + 2) && twice_area(a, b, x) >= 0 &&
+             twice_area(b, c, x) >= 0 && twice_area(c, a, x) >= 0;
     });
   };
   while (left.size() > 2) {

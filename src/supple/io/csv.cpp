@@ -21,16 +21,26 @@ constexpr std::pair<const char*, const char*> trajectory_tensors[] = {
     {"stress_tensor_spin_kinetic_energy", "centrifugal"},
     {"overall_stress_tensor", "overall"},
 };
-constexpr const char* disc_columns[] = {"x", "y", "vx", "vy", "phi", "omega", "fx", "fy", "torque", "movable"};
+constexpr const char* disc_columns[] = {"x",     "y",  "vx", "vy",     "phi",
+                                        "omega", "fx", "fy", "torque", "movable"};
 
 /// Text that goes to the file in large pieces.
 class CsvFile {
  public:
   CsvFile(const std::string& path, Existing existing) : file_(path, existing) {}
 
-  void cell(double x) { separate(); append_shortest(text_, x); }
-  void cell(std::int64_t x) { separate(); append_integer(text_, x); }
-  void cell(const std::string& text) { separate(); text_ += text; }
+  void cell(double x) {
+    separate();
+    append_shortest(text_, x);
+  }
+  void cell(std::int64_t x) {
+    separate();
+    append_integer(text_, x);
+  }
+  void cell(const std::string& text) {
+    separate();
+    text_ += text;
+  }
   void end_row() {
     text_ += '\n';
     row_started_ = false;
@@ -58,7 +68,8 @@ struct Columns {
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;
 
-  void add(const RunFile& run, const std::string& name, const std::string& as, const std::string& table = "stress") {
+  void add(const RunFile& run, const std::string& name, const std::string& as,
+           const std::string& table = "stress") {
     names.push_back(as);
     values.push_back(run.column(table, name));
   }
@@ -103,8 +114,11 @@ Columns trajectory_stresses(const RunFile& run) {
 /// Factors from the run's units to those of the trajectories.
 struct Factors {
   explicit Factors(const Units& from, const Units& to = particleshear_units())
-      : time(from.time / to.time), length(from.length / to.length), speed(from.speed() / to.speed()),
-        force(from.force() / to.force()), torque(from.torque() / to.torque()) {}
+      : time(from.time / to.time),
+        length(from.length / to.length),
+        speed(from.speed() / to.speed()),
+        force(from.force() / to.force()),
+        torque(from.torque() / to.torque()) {}
   double time, length, speed, force, torque;
 };
 
@@ -142,7 +156,8 @@ std::string neighbors_text(const Frame& frame, double to_length) {
   }
   std::string text;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    std::sort(sides[i].begin(), sides[i].end(), [](const Side& a, const Side& b) { return a.other < b.other; });
+    std::sort(sides[i].begin(), sides[i].end(),
+              [](const Side& a, const Side& b) { return a.other < b.other; });
     for (const Side& side : sides[i]) {
       if (!text.empty()) text += ';';
       append_integer(text, static_cast<std::int64_t>(i));
@@ -175,7 +190,8 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
     const Frame frame = run.frame(k);
     while (row < time.size() && time[row] != frame.time * info.units.time) ++row;
     if (row == time.size())
-      throw file_error(run.path() + " has no row of stress for frame " + std::to_string(k), "the file is damaged");
+      throw file_error(run.path() + " has no row of stress for frame " + std::to_string(k),
+                       "the file is damaged");
     csv.cell(frame.step);
     csv.cell(frame.time * to.time);
     csv.cell(frame.strain);
@@ -191,7 +207,9 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
 struct Si {
   explicit Si(const Units& units)
       : has_units(units.name != reduced_units().name), to(units, has_units ? si_units() : units) {}
-  std::string name(const char* name, const char* unit) const { return with_unit(name, has_units ? unit : ""); }
+  std::string name(const char* name, const char* unit) const {
+    return with_unit(name, has_units ? unit : "");
+  }
   bool has_units;
   Factors to;
 };
@@ -199,10 +217,10 @@ struct Si {
 void write_contacts(const RunFile& run, CsvFile& csv) {
   const Si si(run.info().units);
   for (const std::string& name :
-       {std::string("frame"), si.name("t", "s"), std::string("first"), std::string("second"), std::string("state"),
-        si.name("elongation", "m"), si.name("normal_force", "N/m"), si.name("elastic_force", "N/m"),
-        si.name("viscous_force", "N/m"), si.name("tangential_force", "N/m"), si.name("force_on_first_x", "N/m"),
-        si.name("force_on_first_y", "N/m")})
+       {std::string("frame"), si.name("t", "s"), std::string("first"), std::string("second"),
+        std::string("state"), si.name("elongation", "m"), si.name("normal_force", "N/m"),
+        si.name("elastic_force", "N/m"), si.name("viscous_force", "N/m"), si.name("tangential_force", "N/m"),
+        si.name("force_on_first_x", "N/m"), si.name("force_on_first_y", "N/m")})
     csv.cell(name);
   csv.end_row();
   for (std::int64_t k = 0; k < run.frames(); ++k) {
@@ -214,7 +232,8 @@ void write_contacts(const RunFile& run, CsvFile& csv) {
       csv.cell(std::int64_t{c.second});
       csv.cell(std::string(state_name(c.state)));
       csv.cell(c.elongation * si.to.length);
-      for (const double force : {c.normal_force, c.elastic, c.viscous, c.tangential_force, c.force[0], c.force[1]})
+      for (const double force :
+           {c.normal_force, c.elastic, c.viscous, c.tangential_force, c.force[0], c.force[1]})
         csv.cell(force * si.to.force);
       csv.end_row();
     }

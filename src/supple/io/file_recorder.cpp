@@ -20,7 +20,7 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
 }
 
 void write_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
-                  const std::vector<double>& rows) {
+                 const std::vector<double>& rows) {
   h5::Group table = tables.create_group(name);
   std::vector<double> values(columns.empty() ? 0 : rows.size() / columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -31,7 +31,8 @@ void write_table(h5::Group& tables, const std::string& name, const std::vector<C
   }
 }
 
-/// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not ours to remove.
+/// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not
+/// ours to remove.
 void remove_partial_run(const std::string& folder) {
   if (!fs::exists(fs::symlink_status(folder))) return;
   std::error_code error;
@@ -50,9 +51,16 @@ void remove_partial_run(const std::string& folder) {
 
 }  // namespace
 
-FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing, FlushSpec flush)
-    : path_(std::move(path)), folder_(partial_folder(path_)), case_(std::move(resolved)),
-      case_text_(std::move(case_text)), existing_(existing), flush_(flush), started_(Clock::now()), flushed_(started_) {
+FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing,
+                           FlushSpec flush)
+    : path_(std::move(path)),
+      folder_(partial_folder(path_)),
+      case_(std::move(resolved)),
+      case_text_(std::move(case_text)),
+      existing_(existing),
+      flush_(flush),
+      started_(Clock::now()),
+      flushed_(started_) {
   check_can_create(path_, existing_);
   if (existing_ == Existing::replace) remove_partial_run(folder_);
   std::error_code error;
@@ -100,7 +108,8 @@ void FileRecorder::frame(const Frame& frame) {
   for (const auto& [name, values] : frame.body) numbers[name] = values.size();
   if (!body_numbers_) body_numbers_ = numbers;
   if (numbers != *body_numbers_)
-    throw input_error("a frame has other numbers of bodies than the first one", "all frames of a run are alike");
+    throw input_error("a frame has other numbers of bodies than the first one",
+                      "all frames of a run are alike");
   frames_.push_back(frame);
   SystemNumbers& of_all = frames_.back().numbers;
   of_all = {};
@@ -112,7 +121,8 @@ void FileRecorder::frame(const Frame& frame) {
   last_frame_->step = frame.step;
   last_frame_->time = frame.time;
   last_frame_->position = frame.position;
-  std::size_t bytes = frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
+  std::size_t bytes =
+      frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
   for (const auto& [name, values] : frame.body) bytes += values.size() * sizeof(double);
   count(bytes);
 }
@@ -127,7 +137,8 @@ void FileRecorder::final_state(const System<2>& system, const Evaluation<2>& eva
 
 void FileRecorder::warning(const std::string& text) { warnings_.push_back(text); }
 
-/// The interval grows with the age of the run: a day makes some hundred segments, and a kill loses at most 2 %.
+/// The interval grows with the age of the run: a day makes some hundred segments, and a kill loses at most 2
+/// %.
 void FileRecorder::count(std::size_t bytes) {
   bytes_ += bytes;
   const auto now = Clock::now();

@@ -22,7 +22,8 @@ H5_index_t order_of(hid_t group) {
   const Object list(H5Gget_create_plist(group));
   unsigned flags = 0;
   return H5Pget_link_creation_order(list.id(), &flags) >= 0 && (flags & H5P_CRT_ORDER_INDEXED)
-             ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+             ? H5_INDEX_CRT_ORDER
+             : H5_INDEX_NAME;
 }
 
 }  // namespace
@@ -111,8 +112,8 @@ void Group::remove(const std::string& name) {
 }
 
 void Group::copy(const Group& from, const std::string& name) {
-  checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "copy " + name + " to",
-          where());
+  checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          "copy " + name + " to", where());
 }
 
 void Group::copy_attributes(const Object& from) { copy_all_attributes(from.id(), id(), from.where()); }

@@ -50,7 +50,8 @@ inline Object space_of(const Shape& shape) {
 
 Shape shape_of(hid_t space, const std::string& where);
 
-/// Values as HDF5 takes them: their type, and where they are. Texts become lines of equal length, closed by zeros.
+/// Values as HDF5 takes them: their type, and where they are. Texts become lines of equal length, closed by
+/// zeros.
 template <class T>
 struct Buffer {
   explicit Buffer(std::span<const T> values) : type(type_of<T>()), data(values.data()) {}
@@ -65,7 +66,8 @@ struct Buffer<std::string> {
   const void* data;
 };
 
-/// How many values a shape means. Throws a file error where the file of `object` cannot hold so many of this type.
+/// How many values a shape means. Throws a file error where the file of `object` cannot hold so many of this
+/// type.
 std::size_t believable_count(const Object& object, hid_t type, const Shape& shape, const std::string& where);
 /// Texts of a type of the file, `count` of them, by `read`.
 using ReadTexts = std::function<void(hid_t type, void* to)>;
@@ -74,8 +76,8 @@ std::vector<std::string> read_texts(hid_t file_type, std::size_t count, const st
 
 /// Values of this shape from `object` of a file, by `read(memory type, where to)`.
 template <class T, class Read>
-std::vector<T> read_values(const Object& object, const Object& file_type, const Shape& shape, const std::string& where,
-                           Read&& read) {
+std::vector<T> read_values(const Object& object, const Object& file_type, const Shape& shape,
+                           const std::string& where, Read&& read) {
   const std::size_t count = believable_count(object, file_type.id(), shape, where);
   if constexpr (std::is_same_v<T, std::string>) {
     return read_texts(file_type.id(), count, where, read);
@@ -93,11 +95,12 @@ void set_attribute(hid_t object, const std::string& name, std::span<const T> val
   if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
   const Buffer<T> buffer(values);
   const Object space = space_of(shape);
-  const Object attribute = own(
-      H5Acreate2(object, name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      "create attribute " + name + " of", where);
+  const Object attribute =
+      own(H5Acreate2(object, name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+          "create attribute " + name + " of", where);
   if (!values.empty())
-    checked(H5Awrite(attribute.id(), buffer.type.id(), buffer.data), "write attribute " + name + " of", where);
+    checked(H5Awrite(attribute.id(), buffer.type.id(), buffer.data), "write attribute " + name + " of",
+            where);
 }
 
 template <class T>
@@ -106,9 +109,9 @@ std::vector<T> get_attribute(hid_t object, const std::string& name, const std::s
   const Object attribute = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), what, where);
   const Object type = own(H5Aget_type(attribute.id()), what, where);
   const Object space = own(H5Aget_space(attribute.id()), what, where);
-  return read_values<T>(attribute, type, shape_of(space.id(), where), where, [&](hid_t memory_type, void* out) {
-    checked(H5Aread(attribute.id(), memory_type, out), what, where);
-  });
+  return read_values<T>(
+      attribute, type, shape_of(space.id(), where), where,
+      [&](hid_t memory_type, void* out) { checked(H5Aread(attribute.id(), memory_type, out), what, where); });
 }
 
 /// Copies every attribute, whatever its type.

@@ -19,7 +19,8 @@ constexpr std::uint64_t header_bytes = 60000;
 /// A piece holds about so many: one that is read for a single frame costs little.
 constexpr std::uint64_t piece_bytes = 32768;
 
-/// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout without pieces.
+/// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout
+/// without pieces.
 Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
   Object list(H5Pcreate(H5P_DATASET_CREATE));
   const std::uint64_t bytes = product(shape) * value_bytes;
@@ -33,7 +34,8 @@ Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
   piece[0] = std::clamp<std::uint64_t>(piece_bytes / row, 1, piece[0]);
   // A row of more than 64 MiB is cut, as pieces must stay below 4 GiB.
   for (std::size_t d = 1; d < piece.size(); ++d)
-    while (product(piece, d) * value_bytes > std::uint64_t{1} << 26 && piece[d] > 1) piece[d] = (piece[d] + 1) / 2;
+    while (product(piece, d) * value_bytes > std::uint64_t{1} << 26 && piece[d] > 1)
+      piece[d] = (piece[d] + 1) / 2;
   H5Pset_chunk(list.id(), static_cast<int>(piece.size()), reinterpret_cast<const hsize_t*>(piece.data()));
   H5Pset_shuffle(list.id());
   H5Pset_deflate(list.id(), 1);
@@ -41,10 +43,12 @@ Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
   return list;
 }
 
-Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape, const std::string& where) {
+Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape,
+                      const std::string& where) {
   Shape limit = shape;
   for (std::uint64_t& length : limit) length = length ? length : H5S_UNLIMITED;
-  const Object space(H5Screate_simple(static_cast<int>(shape.size()), reinterpret_cast<const hsize_t*>(shape.data()),
+  const Object space(H5Screate_simple(static_cast<int>(shape.size()),
+                                      reinterpret_cast<const hsize_t*>(shape.data()),
                                       reinterpret_cast<const hsize_t*>(limit.data())));
   const Object list = layout_of(shape, H5Tget_size(type));
   return own(H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
@@ -79,8 +83,9 @@ Object Group::write_scalar(const std::string& name, const T& value) {
   const Object list(H5Pcreate(H5P_DATASET_CREATE));
   if (H5Tget_size(buffer.type.id()) <= header_bytes) H5Pset_layout(list.id(), H5D_COMPACT);
   const Object space = space_of({});
-  Object dataset = own(H5Dcreate2(id(), name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, list.id(),
-                                  H5P_DEFAULT), "create " + name + " in", where());
+  Object dataset =
+      own(H5Dcreate2(id(), name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+          "create " + name + " in", where());
   checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
           dataset.where());
   return dataset;
@@ -102,15 +107,16 @@ void Group::write_rows_of(const Group& from, const std::string& name, std::uint6
   const Shape rows = from.shape(name), all = shape(name);
   const std::size_t count = believable_count(source, type.id(), rows, source.where());
   if (count == 0) return;
-  if (rows.size() != all.size() || !std::equal(rows.begin() + 1, rows.end(), all.begin() + 1) || first > all[0] ||
-      rows[0] > all[0] - first)
+  if (rows.size() != all.size() || !std::equal(rows.begin() + 1, rows.end(), all.begin() + 1) ||
+      first > all[0] || rows[0] > all[0] - first)
     throw file_error("cannot write " + target.where(), source.where() + " has another shape");
   std::vector<char> bytes(count * H5Tget_size(type.id()));
-  checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", source.where());
+  checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read",
+          source.where());
   const Object file_space(H5Dget_space(target.id())), memory_space = space_of(rows);
   select_rows(file_space.id(), all, first, rows[0]);
-  checked(H5Dwrite(target.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()), "write",
-          target.where());
+  checked(H5Dwrite(target.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()),
+          "write", target.where());
 }
 
 Shape Group::shape(const std::string& name) const {
@@ -132,7 +138,8 @@ std::vector<T> Group::read(const std::string& name) const {
 template <class T>
 T Group::read_scalar(const std::string& name) const {
   std::vector<T> values = read<T>(name);
-  if (values.size() != 1) throw file_error("cannot read " + name + " in " + where(), "it is not a single value");
+  if (values.size() != 1)
+    throw file_error("cannot read " + name + " in " + where(), "it is not a single value");
   return std::move(values[0]);
 }
 
@@ -148,7 +155,8 @@ std::vector<T> Group::read_rows(const std::string& name, std::uint64_t first, st
   select_rows(file_space.id(), rows, first, count);
   const Object memory_space = space_of(rows);
   return read_values<T>(dataset, type, rows, where, [&](hid_t memory_type, void* out) {
-    checked(H5Dread(dataset.id(), memory_type, memory_space.id(), file_space.id(), H5P_DEFAULT, out), "read", where);
+    checked(H5Dread(dataset.id(), memory_type, memory_space.id(), file_space.id(), H5P_DEFAULT, out), "read",
+            where);
   });
 }
 
@@ -161,9 +169,9 @@ template Object Group::write_scalar(const std::string&, const double&);
 template Object Group::write_scalar(const std::string&, const std::int64_t&);
 template Object Group::write_scalar(const std::string&, const std::string&);
 
-#define SUPPLE_H5_ELEMENT(T)                                                   \
-  template std::vector<T> Group::read(const std::string&) const;               \
-  template T Group::read_scalar(const std::string&) const;                     \
+#define SUPPLE_H5_ELEMENT(T)                                     \
+  template std::vector<T> Group::read(const std::string&) const; \
+  template T Group::read_scalar(const std::string&) const;       \
   template std::vector<T> Group::read_rows(const std::string&, std::uint64_t, std::uint64_t) const;
 SUPPLE_H5_ELEMENT(double)
 SUPPLE_H5_ELEMENT(std::int32_t)

@@ -20,7 +20,8 @@ Object text_type(std::size_t length, std::span<const std::string> values) {
 }
 
 std::string checked_text(std::string text, const std::string& where) {
-  if (!is_utf8(text)) throw file_error("cannot read a text of " + where, "it is not UTF-8", "the file is damaged");
+  if (!is_utf8(text))
+    throw file_error("cannot read a text of " + where, "it is not UTF-8", "the file is damaged");
   return text;
 }
 
@@ -55,8 +56,8 @@ std::optional<std::size_t> count_within(const Object& file, hid_t type, const Sh
 Shape shape_of(hid_t space, const std::string& where) {
   const int rank = checked(H5Sget_simple_extent_ndims(space), "read the shape of", where);
   Shape shape(static_cast<std::size_t>(rank));
-  checked(H5Sget_simple_extent_dims(space, reinterpret_cast<hsize_t*>(shape.data()), nullptr), "read the shape of",
-          where);
+  checked(H5Sget_simple_extent_dims(space, reinterpret_cast<hsize_t*>(shape.data()), nullptr),
+          "read the shape of", where);
   return shape;
 }
 

@@ -39,16 +39,20 @@ std::vector<T> contact_column(const std::vector<Frame>& frames, Pick&& pick) {
   return out;
 }
 
-void write_contacts(h5::Group& group, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts) {
+void write_contacts(h5::Group& group, const std::vector<Frame>& frames, const Units& units,
+                    std::int64_t contacts) {
   std::vector<std::int64_t> begin, count;
   for (const Frame& frame : frames) {
     begin.push_back(contacts);
     count.push_back(static_cast<std::int64_t>(frame.contacts.size()));
     contacts += count.back();
   }
-  const std::string length = unit_text(units, units.length, "m"), force = unit_text(units, units.force(), "N/m");
-  const auto column = [&]<class T>(T, const char* name, const std::string& unit, const char* meaning, auto member) {
-    write_rows<T>(group, name, {}, unit, contact_column<T>(frames, [&](const ContactRow& c) { return c.*member; }));
+  const std::string length = unit_text(units, units.length, "m"),
+                    force = unit_text(units, units.force(), "N/m");
+  const auto column = [&]<class T>(T, const char* name, const std::string& unit, const char* meaning,
+                                   auto member) {
+    write_rows<T>(group, name, {}, unit,
+                  contact_column<T>(frames, [&](const ContactRow& c) { return c.*member; }));
     if (*meaning) group.open_dataset(name).set("meaning", std::string(meaning));
   };
   write_rows<std::int64_t>(group, "contact_begin", {}, "", begin);
@@ -56,14 +60,16 @@ void write_contacts(h5::Group& group, const std::vector<Frame>& frames, const Un
   column(std::int32_t{}, "contact_first", "", "site; the smaller number", &ContactRow::first);
   column(std::int32_t{}, "contact_second", "", "site", &ContactRow::second);
   column(std::uint8_t{}, "contact_state", "0 open, 1 stick, 2 slip, 3 permanent", "", &ContactRow::state);
-  column(double{}, "contact_elongation", length, "of the tangential spring, along t = (-n_y, n_x), n from first to second",
-         &ContactRow::elongation);
-  column(double{}, "contact_elongation_back", length, "the published package's second one, as the second site sees it",
-         &ContactRow::elongation_back);
+  column(double{}, "contact_elongation", length,
+         "of the tangential spring, along t = (-n_y, n_x), n from first to second", &ContactRow::elongation);
+  column(double{}, "contact_elongation_back", length,
+         "the published package's second one, as the second site sees it", &ContactRow::elongation_back);
   column(double{}, "contact_normal_force", force, "elastic and viscous part; positive: pushes the two apart",
          &ContactRow::normal_force);
-  column(double{}, "contact_elastic_force", force, "part of the normal force by repulsion or link", &ContactRow::elastic);
-  column(double{}, "contact_viscous_force", force, "part of the normal force by the dashpot", &ContactRow::viscous);
+  column(double{}, "contact_elastic_force", force, "part of the normal force by repulsion or link",
+         &ContactRow::elastic);
+  column(double{}, "contact_viscous_force", force, "part of the normal force by the dashpot",
+         &ContactRow::viscous);
   column(double{}, "contact_tangential_force", force,
          "on contact_first along t = (-n_y, n_x), n from first to second; the opposite on contact_second",
          &ContactRow::tangential_force);
@@ -75,8 +81,9 @@ void write_contacts(h5::Group& group, const std::vector<Frame>& frames, const Un
   made.set("meaning", "on contact_first; the opposite on contact_second");
 }
 
-constexpr const char* component = "component of the stress tensor, compression positive: force along the first "
-                                  "letter, line of action along the second";
+constexpr const char* component =
+    "component of the stress tensor, compression positive: force along the first "
+    "letter, line of action along the second";
 
 /// Unit and meaning of the numbers of bodies, and of all, that experiments write.
 const std::vector<Column>& known_numbers() {
@@ -115,8 +122,8 @@ void describe_number(h5::Object& made, const std::string& name, const Units& uni
 void write_body_numbers(h5::Group group, const std::vector<Frame>& frames, const Units& units) {
   for (const auto& [name, first] : frames[0].body) {
     write_rows<double>(group, name.c_str(), {first.size()}, "", stacked<double>(frames, [&](const Frame& f) {
-      return std::span<const double>(f.body.at(name));
-    }));
+                         return std::span<const double>(f.body.at(name));
+                       }));
     h5::Object made = group.open_dataset(name);
     describe_number(made, name, units);
   }
@@ -145,9 +152,13 @@ struct FrameReader {
     return group.read_rows<T>(name, k, 1);
   }
   template <class T>
-  T number(const char* name) const { return row<T>(frames, name, {}).at(0); }
+  T number(const char* name) const {
+    return row<T>(frames, name, {}).at(0);
+  }
   std::vector<double> numbers(const char* name) const { return row<double>(frames, name, {sites}); }
-  std::vector<Vec2> vectors(const char* name) const { return vectors_from<2>(row<double>(frames, name, {sites, 2})); }
+  std::vector<Vec2> vectors(const char* name) const {
+    return vectors_from<2>(row<double>(frames, name, {sites, 2}));
+  }
 };
 
 /// Codes of an enum with values 0 ... most.
@@ -168,9 +179,11 @@ std::vector<ContactRow> read_contacts(const FrameReader& reader, std::int64_t co
                std::string(name) + " has another shape than contacts");
     return frames.read_rows<T>(name, begin, count);
   };
-  const auto first = column(std::int32_t{}, "contact_first"), second = column(std::int32_t{}, "contact_second");
+  const auto first = column(std::int32_t{}, "contact_first"),
+             second = column(std::int32_t{}, "contact_second");
   const auto state = known_enums(column(std::uint8_t{}, "contact_state"), ContactState::permanent, frames);
-  const auto elongation = column(double{}, "contact_elongation"), back = column(double{}, "contact_elongation_back");
+  const auto elongation = column(double{}, "contact_elongation"),
+             back = column(double{}, "contact_elongation_back");
   const auto normal = column(double{}, "contact_normal_force"),
              tangential = column(double{}, "contact_tangential_force");
   std::vector<double> elastic(count), viscous(count);
@@ -182,31 +195,33 @@ std::vector<ContactRow> read_contacts(const FrameReader& reader, std::int64_t co
   }
   std::vector<ContactRow> out;
   for (std::size_t c = 0; c < count; ++c) {
-    expect_run(0 <= first[c] && first[c] < second[c] && second[c] < static_cast<std::int64_t>(reader.sites), frames,
-               "a contact of sites that do not exist");
-    out.push_back({first[c], second[c], state[c], elongation[c], back[c], normal[c], tangential[c], elastic[c],
-                   viscous[c], force.at(c)});
+    expect_run(0 <= first[c] && first[c] < second[c] && second[c] < static_cast<std::int64_t>(reader.sites),
+               frames, "a contact of sites that do not exist");
+    out.push_back({first[c], second[c], state[c], elongation[c], back[c], normal[c], tangential[c],
+                   elastic[c], viscous[c], force.at(c)});
   }
   return out;
 }
 
 }  // namespace
 
-void write_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units, std::int64_t contacts) {
+void write_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units,
+                  std::int64_t contacts) {
   if (frames.empty()) return;
   h5::Group group = root.create_group("frames");
   const auto discs = static_cast<std::uint64_t>(frames[0].position.size());
   const auto scalar = [&]<class T>(T Frame::*member, const char* name, const std::string& unit) {
     write_rows<T>(group, name, {}, unit,
-              stacked<T>(frames, [&](const Frame& f) { return std::span<const T>(&(f.*member), 1); }));
+                  stacked<T>(frames, [&](const Frame& f) { return std::span<const T>(&(f.*member), 1); }));
   };
   const auto vectors = [&](std::vector<Vec2> Frame::*member, const char* name, const std::string& unit) {
     write_rows<double>(group, name, {discs, 2}, unit,
-                   stacked<double>(frames, [&](const Frame& f) { return flat(f.*member); }));
+                       stacked<double>(frames, [&](const Frame& f) { return flat(f.*member); }));
   };
   const auto numbers = [&](std::vector<double> Frame::*member, const char* name, const std::string& unit) {
-    write_rows<double>(group, name, {discs}, unit,
-                   stacked<double>(frames, [&](const Frame& f) { return std::span<const double>(f.*member); }));
+    write_rows<double>(group, name, {discs}, unit, stacked<double>(frames, [&](const Frame& f) {
+                         return std::span<const double>(f.*member);
+                       }));
   };
   scalar(&Frame::step, "step", "");
   scalar(&Frame::time, "time", unit_text(units, units.time, "s"));
@@ -219,12 +234,12 @@ void write_frames(h5::Group& root, const std::vector<Frame>& frames, const Units
   numbers(&Frame::spin, "spin", unit_text(units, 1 / units.time, "rad/s"));
   numbers(&Frame::torque, "torque", unit_text(units, units.torque(), "N"));
   write_rows<std::uint8_t>(group, "mobility", {discs}, "0 free, 1 lower plate, 2 upper plate, 3 fixed",
-                       stacked<std::uint8_t>(frames, [](const Frame& f) { return codes(f.mobility); }));
-  write_rows<double>(group, "length", {2}, unit_text(units, units.length, "m"),
-                 stacked<double>(frames, [](const Frame& f) { return std::span<const double>(f.length.e); }));
+                           stacked<std::uint8_t>(frames, [](const Frame& f) { return codes(f.mobility); }));
+  write_rows<double>(
+      group, "length", {2}, unit_text(units, units.length, "m"),
+      stacked<double>(frames, [](const Frame& f) { return std::span<const double>(f.length.e); }));
   write_contacts(group, frames, units, contacts);
-  if (!frames[0].body.empty())
-    write_body_numbers(group.create_group("body"), frames, units);
+  if (!frames[0].body.empty()) write_body_numbers(group.create_group("body"), frames, units);
   if (!frames[0].numbers.empty()) write_system_numbers(group.create_group("system"), frames, units);
 }
 
@@ -250,7 +265,8 @@ Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts
   expect_run(is_cell(frame.length) && std::abs(frame.strain) < far_away, frames, "a cell that is none");
   const double extent = far_away * (frame.length[0] + frame.length[1]);
   for (const Vec2& x : frame.position)
-    expect_run(std::abs(x[0]) < extent && std::abs(x[1]) < extent, frames, "a position that is not finite, or far away");
+    expect_run(std::abs(x[0]) < extent && std::abs(x[1]) < extent, frames,
+               "a position that is not finite, or far away");
 
   if (frames.has("body")) {
     const h5::Group body = frames.open_group("body");

@@ -22,13 +22,14 @@ void store_case(h5::Object& dataset, const Case& c) {
   for_each_section(c, [&](const std::string& section, const auto& values) {
     using Section = std::decay_t<decltype(values)>;
     for (const Field<Section>& field : fields<Section>())
-      std::visit([&](auto member) {
-        using Value = std::decay_t<decltype(values.*member)>;
-        if constexpr (std::is_integral_v<Value>)
-          dataset.set(attribute_name(section, field), static_cast<std::int64_t>(values.*member));
-        else
-          dataset.set(attribute_name(section, field), values.*member);
-      }, field.member);
+      std::visit(
+          [&](auto member) {
+            using Value = std::decay_t<decltype(values.*member)>;
+            if constexpr (std::is_integral_v<Value>)
+              dataset.set(attribute_name(section, field), static_cast<std::int64_t>(values.*member));
+            else dataset.set(attribute_name(section, field), values.*member);
+          },
+          field.member);
   });
 }
 
@@ -58,8 +59,9 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   root.set("unit_mass", info.units.mass);
   root.set("unit_time", info.units.time);
   root.set("sign_of_stress", std::string("compression positive"));
-  root.set("definition_of_strain", std::string("time integral of the shear rate: displacement of the upper image along "
-                                               "x over the height of the cell; 0.2 is 20 %"));
+  root.set("definition_of_strain",
+           std::string("time integral of the shear rate: displacement of the upper image along "
+                       "x over the height of the cell; 0.2 is 20 %"));
   root.set("definition_of_phase",
            std::string("strain = A sin(2 pi (f t - pre_periods)); storage modulus: in phase with "
                        "the strain (sin), loss modulus: with its rate (cos)"));
@@ -81,7 +83,8 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
 
 RunInfo read_info(const h5::Group& root) {
   RunInfo info;
-  info.units = {root.text("units"), root.number("unit_length"), root.number("unit_mass"), root.number("unit_time")};
+  info.units = {root.text("units"), root.number("unit_length"), root.number("unit_mass"),
+                root.number("unit_time")};
   for (const double unit : {info.units.length, info.units.mass, info.units.time})
     expect_run(std::isfinite(unit) && unit > 0, root, "a unit that is none");
   const h5::Group box = root.open_group("box"), discs = root.open_group("discs");
@@ -94,15 +97,16 @@ RunInfo read_info(const h5::Group& root) {
   if (discs.has("body_begin")) info.body_begin = discs.read<std::int32_t>("body_begin");
 
   const std::size_t sites = info.radius.size();
-  expect_run(info.mass.size() == sites && info.inertia.size() == sites && info.particle.size() == sites, discs,
-             "its arrays differ in length");
+  expect_run(info.mass.size() == sites && info.inertia.size() == sites && info.particle.size() == sites,
+             discs, "its arrays differ in length");
   for (std::size_t i = 0; i < sites; ++i)
     expect_run(info.radius[i] > 0 && std::isfinite(info.radius[i]) && info.particle[i] >= 0 &&
                    info.particle[i] < static_cast<std::int64_t>(sites),
                discs, "a site without size, or of a particle that does not exist");
   const std::vector<std::int32_t>& begin = info.body_begin;
-  expect_run(begin.empty() || (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
-                               std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
+  expect_run(begin.empty() ||
+                 (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
+                  std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
              discs, "its bodies do not cover the sites");
   return info;
 }
@@ -115,12 +119,14 @@ Case read_stored_case(const h5::Group& root) {
     for (const Field<Section>& field : fields<Section>()) {
       const std::string name = attribute_name(section, field);
       if (!dataset.has_attribute(name)) continue;  // a key that is younger than the file
-      std::visit([&](auto member) {
-        using Value = std::decay_t<decltype(values.*member)>;
-        if constexpr (std::is_same_v<Value, std::string>) values.*member = dataset.text(name);
-        else if constexpr (std::is_same_v<Value, double>) values.*member = dataset.number(name);
-        else values.*member = static_cast<Value>(dataset.integer(name));
-      }, field.member);
+      std::visit(
+          [&](auto member) {
+            using Value = std::decay_t<decltype(values.*member)>;
+            if constexpr (std::is_same_v<Value, std::string>) values.*member = dataset.text(name);
+            else if constexpr (std::is_same_v<Value, double>) values.*member = dataset.number(name);
+            else values.*member = static_cast<Value>(dataset.integer(name));
+          },
+          field.member);
     }
   });
   return c;

@@ -18,11 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_frames(const RunFile& run) {
-  if (run.frames() == 0) throw input_error(run.path() + " holds no frames", "it stopped before its first step");
+  if (run.frames() == 0)
+    throw input_error(run.path() + " holds no frames", "it stopped before its first step");
 }
 
-/// Times of the frames or, where they do not go on, as of packings at rest, the numbers of the frames. Frames of one
-/// instant, as older runs hold, count once: the last of them.
+/// Times of the frames or, where they do not go on, as of packings at rest, the numbers of the frames. Frames
+/// of one instant, as older runs hold, count once: the last of them.
 std::vector<std::pair<double, std::int64_t>> instants(const RunFile& run) {
   std::vector<std::pair<double, std::int64_t>> out;
   bool descends = false;
@@ -48,7 +49,9 @@ void export_xyz(const RunFile& run, const std::string& path, Existing existing) 
   file.commit();
 }
 
-std::string frame_folder(const std::string& path) { return fs::path(path).replace_extension().string() + "_frames"; }
+std::string frame_folder(const std::string& path) {
+  return fs::path(path).replace_extension().string() + "_frames";
+}
 
 void check_can_export_vtp(const std::string& path, Existing existing) {
   check_can_create(path, existing);

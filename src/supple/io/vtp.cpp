@@ -62,8 +62,9 @@ void append_array(std::string& xml, const std::string& name, const std::vector<T
   std::string block(sizeof size, '\0');
   std::memcpy(block.data(), &size, sizeof size);
   block += bytes;
-  xml += "<DataArray type=\"" + std::string(vtk_type<T>) + "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
-         (std::is_same_v<T, Vec2> ? "3" : "1") + "\"" + attributes + " format=\"binary\">";
+  xml += "<DataArray type=\"" + std::string(vtk_type<T>) + "\" Name=\"" + escaped(name) +
+         "\" NumberOfComponents=\"" + (std::is_same_v<T, Vec2> ? "3" : "1") + "\"" + attributes +
+         " format=\"binary\">";
   append_base64(xml, block);
   xml += "</DataArray>\n";
 }
@@ -89,7 +90,8 @@ struct Polygons {
         close(b);
         continue;
       }
-      const std::vector<Vec2> outline = ring.size() == 1 ? circle(ring[0], radius[0]) : outer_ring(ring, radius);
+      const std::vector<Vec2> outline =
+          ring.size() == 1 ? circle(ring[0], radius[0]) : outer_ring(ring, radius);
       const auto add_point = [&](const Vec2& x) { add(first + nearest(ring, x), x); };
       if (cells != Cells::triangles) {
         for (const Vec2& x : outline) add_point(x);
@@ -133,7 +135,8 @@ void check_names(const std::vector<SceneArray>& arrays, std::initializer_list<st
   for (const SceneArray& array : arrays)
     for (const std::string_view name : taken)
       if (array.name == name)
-        throw input_error("cannot write '" + path + "'", "the name '" + array.name + "' is taken", "rename the array");
+        throw input_error("cannot write '" + path + "'", "the name '" + array.name + "' is taken",
+                          "rename the array");
 }
 
 void append_point_data(std::string& xml, const PolygonScene& scene, const std::vector<std::int32_t>& site) {
@@ -200,19 +203,20 @@ void write_new(const std::string& path, const std::string& text, Existing existi
 
 }  // namespace
 
-void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing, Placement placement, Cells cells) {
+void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing, Placement placement,
+               Cells cells) {
   check_scene(scene, path);
   check_names(scene.of_sites, {"site", "radius"}, path);
   check_names(scene.of_bodies, {"id", "sites", "radius"}, path);
   const Polygons polygons(scene, placement_shifts(scene, placement), cells);
   std::string xml =
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
+      "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<PolyData>\n";
   append_time(xml, scene);
-  xml +=
-      "<Piece NumberOfPoints=\"" + std::to_string(polygons.point.size()) +
-      "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-      std::to_string(polygons.body.size()) + "\">\n";
+  xml += "<Piece NumberOfPoints=\"" + std::to_string(polygons.point.size()) +
+         "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+         std::to_string(polygons.body.size()) + "\">\n";
   append_point_data(xml, scene, polygons.site);
   append_cell_data(xml, scene, polygons.body);
   append_polygons(xml, polygons);
