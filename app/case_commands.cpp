@@ -228,7 +228,7 @@ void list(const std::string& section, Format format) {
   }
   if (section.empty()) {
     fmt::print("Experiments\n");
-    for (const Experiment& e : experiments()) fmt::print("  {:<20} {}\n", e.name, e.meaning);
+    for (const Experiment& e : experiments()) fmt::print("{}", table_row({e.name}, {20}, e.meaning));
     fmt::print("\nParameters, as in a case\n\n");
   }
   fmt::print("{}", section_text(section));

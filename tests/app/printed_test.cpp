@@ -58,7 +58,7 @@ TEST_F(Printed, LinesFitThePageAndColumnsAreAligned) {
   write("jam.toml", "experiment = \"jamming\"\n[bodies]\nN = 6\nvertices = 8\n[jamming]\npressure = 1e-3\n");
   expect_on_page(supple("check small.toml").out);
   expect_on_page(supple("check jam.toml").out);
-  expect_on_page(supple("list bodies").out);
+  expect_on_page(supple("list").out);
   expect_on_page(supple("init jamming -o -").out);
   ASSERT_EQ(supple("run jam.toml").code, 0);
   expect_on_page(supple("show jam.h5").out);
