@@ -78,7 +78,7 @@ TEST_F(CaseCommands, SetAndThreadsReachTheCase) {
 TEST_F(CaseCommands, ListKnowsEverySection) {
   const Outcome all = supple("list");
   EXPECT_EQ(all.code, 0);
-  EXPECT_THAT(all.out, HasSubstr("oscillatory_shear    G'"));
+  EXPECT_THAT(all.out, HasSubstr("oscillatory_shear     G'"));
   EXPECT_THAT(all.out, HasSubstr("young_modulus = 8000"));
   const Outcome one = supple("list time");
   EXPECT_THAT(one.out, HasSubstr("step_factor"));
