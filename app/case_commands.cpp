@@ -1,6 +1,8 @@
 /// init, check, list.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -11,9 +13,10 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/core/text_columns.hpp"
-#include "supple/experiment/experiments.hpp"
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/cost.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/used_keys.hpp"
 #include "supple/io/case_file.hpp"
 #include "supple/io/progress.hpp"
 #include "supple/io/packing_file.hpp"
@@ -37,7 +40,7 @@ std::set<std::string> first_keys(const Case& c) {
             "jamming.packing_fraction",
             "motion.kinetic_energy",
             "time.steps"};
-  if (experiment == "dynamics") return {"experiment", "initial.state", "time.steps", "shear.rate"};
+  if (experiment == "dynamics") return {"experiment", "seed", "particles.N", "time.steps", "shear.rate"};
   if (experiment == "jamming")
     return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
   if (experiment == "compression")
@@ -50,6 +53,15 @@ std::set<std::string> first_keys(const Case& c) {
           "particles.N",         "particles.packing_fraction",
           "particles.cut_lines", "material.young_modulus",
           "material.friction",   "shear.amplitude"};
+}
+
+/// As a shell takes it for one word.
+std::string as_word(const std::string& name) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || std::string_view("_./-+=,:@%").find(c) != std::string_view::npos; };
+  if (std::all_of(name.begin(), name.end(), plain)) return name;
+  std::string word = "'";
+  for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 std::optional<double> find(const std::vector<Derived>& derived, const std::string& name) {
@@ -72,11 +84,12 @@ std::string describe_matter(const Case& c, const std::optional<InitialState>& in
 }
 
 template <class P>
-Json parameter_json(const Field<P>& field, const P& defaults) {
+Json parameter_json(const std::string& key, const Field<P>& field, const P& defaults) {
   Json j{{"name", field.name},
          {"unit", field.unit},
          {"meaning", field.meaning},
-         {"range", describe(field.range)}};
+         {"range", describe(field.range)},
+         {"experiments", users_of(key)}};
   std::visit([&](auto member) { j["default"] = defaults.*member; }, field.member);
   if (!field.choices.empty()) j["choices"] = field.choices;
   return j;
@@ -89,7 +102,8 @@ Json parameters_json(const std::string& only) {
     const std::string name = section.empty() ? "general" : std::string(section);
     if (!only.empty() && only != name) return;
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
-      sections[name].push_back(parameter_json(field, parameters));
+      sections[name].push_back(
+          parameter_json((section.empty() ? "" : name + ".") + std::string(field.name), field, parameters));
   });
   return sections;
 }
@@ -97,11 +111,38 @@ Json parameters_json(const std::string& only) {
 /// The commented case, or its part from the line [section] to the next one; "general": what stands above any
 /// section.
 std::string section_text(const std::string& section) {
-  const std::string text = write_case(Case{}, CaseStyle::commented);
+  const std::string text = write_case(Case{}, CaseStyle::all);
   if (section.empty()) return text;
   const auto begin = section == "general" ? 0 : text.find("\n[" + section + "]") + 1;
   const auto end = text.find("\n[", begin);
   return text.substr(begin, end == text.npos ? end : end - begin);
+}
+
+std::vector<std::string> experiment_names() {
+  std::vector<std::string> names;
+  for (const Experiment& e : experiments()) names.push_back(e.name);
+  return names;
+}
+
+/// The keys that an experiment uses; of both kinds of matter where it is about both.
+void list_used(const std::string& experiment, Format format) {
+  Case c;
+  c.general.experiment = experiment;
+  std::vector<Case> kinds{c};
+  c.general.physics = "deformable";
+  const Experiment& e = experiment_of(c);
+  if (!e.discs.empty() && !e.bodies.empty()) kinds.push_back(c);
+  Json j{{"experiment", experiment}, {"meaning", e.meaning}, {"keys", Json::array()}};
+  for_each_key(c, [&](const std::string& key, const auto&, const auto&) {
+    if (std::any_of(kinds.begin(), kinds.end(), [&](const Case& kind) { return uses(kind, key); }))
+      j["keys"].push_back(key);
+  });
+  if (format == Format::json) return fmt::print("{}\n", j.dump(2));
+  for (const Case& kind : kinds) {
+    fmt::print("{}{}: {}\n\n", experiment, kinds.size() == 1 ? "" : is_deformable(kind) ? " of deformable particles" : " of discs",
+               e.meaning);
+    fmt::print("{}{}", write_case(kind, CaseStyle::commented), &kind == &kinds.back() ? "" : "\n");
+  }
 }
 
 }  // namespace
@@ -137,8 +178,7 @@ LoadedCase load_case(const CaseChoice& choice) {
 }
 
 void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing) {
-  std::vector<std::string> names;
-  for (const Experiment& e : experiments()) names.push_back(e.name);
+  const std::vector<std::string> names = experiment_names();
   if (std::find(names.begin(), names.end(), experiment) == names.end()) {
     const auto near = nearest_name(experiment, names);
     throw input_error(fmt::format("there is no experiment '{}'", experiment), "",
@@ -147,15 +187,17 @@ void init(const std::string& experiment, const std::string& physics, const std::
   Case c;
   c.general.experiment = experiment;
   if (!physics.empty()) c.general.physics = physics;
-  if (!physics.empty() && (physics == "deformable") != is_deformable(c))
+  const bool bodies = physics == "deformable";
+  if (const Experiment& e = experiment_of(c); !physics.empty() && (bodies ? e.bodies : e.discs).empty())
     throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics),
-                      "it is about deformable particles", "leave --physics away");
+                      bodies ? "it is about discs of microgels" : "it is about deformable particles",
+                      "leave --physics away");
   if (experiment == "dynamics") c.time.steps = 1000;
   if (experiment == "dynamics" && is_deformable(c)) {
     c.jamming.packing_fraction = 0.6;
     c.motion.kinetic_energy = 1e-5;
   } else if (experiment == "dynamics") {
-    c.initial.state = "state.json";
+    c.shear.rate = "10*cos(2*pi*50*t)";
   }
   c.given = first_keys(c);
   const std::string text = write_case(c, CaseStyle::commented);
@@ -167,7 +209,7 @@ void init(const std::string& experiment, const std::string& physics, const std::
   NewFile file(name, existing);
   file.write(text);
   file.commit();
-  fmt::print("wrote {}\nnext: supple check {}, supple run {}\n", name, name, name);
+  fmt::print("wrote {0}\nnext: supple check {1} && supple run {1}\n", name, as_word(name));
 }
 
 void check(const CaseChoice& choice, Format format) {
@@ -209,29 +251,32 @@ void check(const CaseChoice& choice, Format format) {
   for (const std::string& doubt : doubts) fmt::print("\n{}", hang_words("", "warning: " + doubt, 0));
 }
 
-void list(const std::string& section, Format format) {
-  const Json sections = parameters_json(section);
+void list(const std::string& what, Format format) {
+  const std::vector<std::string> names = experiment_names();
+  if (std::find(names.begin(), names.end(), what) != names.end()) return list_used(what, format);
+  const Json sections = parameters_json(what);
   if (sections.empty()) {
-    std::vector<std::string> names;
+    std::vector<std::string> choices;
     const Json every = parameters_json("");
-    for (const auto& [name, parameters] : every.items()) names.push_back(name);
-    const auto near = nearest_name(section, names);
-    throw input_error(fmt::format("there is no section '{}'", section), "",
-                      near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(names));
+    for (const auto& [name, parameters] : every.items()) choices.push_back(name);
+    choices.insert(choices.end(), names.begin(), names.end());
+    const auto near = nearest_name(what, choices);
+    throw input_error(fmt::format("there is no section or experiment '{}'", what), "",
+                      near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(choices));
   }
   Json all{{"parameters", sections}};
-  if (section.empty())
+  if (what.empty())
     for (const Experiment& e : experiments()) all["experiments"][e.name] = e.meaning;
   if (format == Format::json) {
     fmt::print("{}\n", all.dump(2));
     return;
   }
-  if (section.empty()) {
+  if (what.empty()) {
     fmt::print("Experiments\n");
     for (const Experiment& e : experiments()) fmt::print("{}", table_row({e.name}, {20}, e.meaning));
     fmt::print("\nParameters, as in a case\n\n");
   }
-  fmt::print("{}", section_text(section));
+  fmt::print("{}", section_text(what));
 }
 
 }  // namespace supple::command

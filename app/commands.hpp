@@ -30,8 +30,9 @@ void check(const CaseChoice& choice, Format format);
 /// `path` empty: what the case says, or the case's name with .h5 in the current folder.
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format);
 
-/// Experiments, laws and choices, every parameter with unit, default and meaning.
-void list(const std::string& section, Format format);
+/// Experiments, laws and choices, every parameter with unit, default and meaning; `what`: the keys of this section alone,
+/// or those that this experiment uses.
+void list(const std::string& what, Format format);
 
 /// Writes the summary of a run.
 void show(const std::string& run_path, Format format, const std::string& path = "-",

@@ -90,8 +90,8 @@ void add_case_commands(CLI::App& app, Options& o) {
 
   CLI::App* list =
       app.add_subcommand("list", "List experiments, laws and every parameter with unit and meaning");
-  list->add_option("section", o.section, "Only this section of the case, e.g. material")
-      ->type_name("SECTION");
+  list->add_option("what", o.section, "Only this section of the case, e.g. material, or the keys that this experiment uses")
+      ->type_name("SECTION|EXPERIMENT");
   add_json(*list, o);
   list->callback([&] { command::list(o.section, o.format()); });
 }

@@ -194,7 +194,7 @@ TEST_F(Bodies, InitKnowsTheDynamicsOfPolygons) {
   const Outcome check = supple("check dynamics.toml");
   EXPECT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, Not(HasSubstr("warning")));
-  EXPECT_THAT(supple("check dynamics.toml --set jamming.pressure=1e-3").out,
+  EXPECT_THAT(supple("check dynamics.toml --set jamming.pressure=1e-3").err,
               HasSubstr("jamming.pressure has no effect"));
   EXPECT_EQ(supple("init jamming --physics documented").code, 2);
 }

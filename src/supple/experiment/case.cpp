@@ -149,11 +149,12 @@ const Fields<Stepping>& fields() {
 template <>
 const Fields<Preparation>& fields() {
   using P = Preparation;
-  static const Fields<P> f{
+  static const Fields<P> all{
       {"stress_tolerance", &P::stress_tolerance, "",
        "relax until the stress fluctuates by less than this share of E/100, whatever is done to the sample", positive},
       {"max_time", &P::max_time, "tau", "give up when one relaxation takes longer; tau = sqrt(m/k)", positive},
   };
+  static const Fields<P> f = with_role(Role::sample, all);
   return f;
 }
 

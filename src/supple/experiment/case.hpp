@@ -203,10 +203,19 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("output", c.output);
 }
 
+/// visit("section.key", field, struct) for every parameter.
+template <class AnyCase, class Visit>
+void for_each_key(AnyCase& c, Visit&& visit) {
+  for_each_section(c, [&](const std::string& section, auto& values) {
+    for (const auto& field : fields<std::decay_t<decltype(values)>>())
+      visit((section.empty() ? "" : section + ".") + std::string(field.name), field, values);
+  });
+}
+
 /// Whether the case is about deformable particles: by its experiment, or for dynamics by what it starts from.
 bool is_deformable(const Case& c);
 
-/// The sections that the case's experiment reads.
+/// The sections of which the case's experiment uses a key, in the order of the file.
 std::vector<std::string> sections_of(const Case& c);
 
 /// The published package shears for three periods unless told. Stiffnesses that were not given get those of the family

@@ -197,28 +197,6 @@ const Fields<Motion>& fields() {
   return f;
 }
 
-bool is_deformable(const Case& c) {
-  return c.general.physics == "deformable" || !c.initial.packing.empty() ||
-         (c.general.experiment != "oscillatory_shear" && c.general.experiment != "preparation" &&
-          c.general.experiment != "dynamics");
-}
-
-std::vector<std::string> sections_of(const Case& c) {
-  const std::string& name = c.general.experiment;
-  if (name == "preparation" && c.general.physics == "documented")  // as published it depends on the protocol
-    return {"", "material", "particles", "box", "preparation", "output"};
-  if (!is_deformable(c))
-    return {"", "material", "particles", "box", "shear", "time", "preparation", "initial", "output"};
-  std::vector<std::string> sections{"", "bodies", "contact"};
-  if (name == "jamming") sections.insert(sections.end(), {"minimise", "jamming"});
-  if (name == "compression") sections.insert(sections.end(), {"minimise", "jamming", "compression"});
-  if (name == "uniaxial_compression") sections.insert(sections.end(), {"minimise", "uniaxial"});
-  if (name == "slump") sections.insert(sections.end(), {"slump", "motion", "time"});
-  if (name == "dynamics") sections.insert(sections.end(), {"jamming", "motion", "time"});
-  sections.insert(sections.end(), {"initial", "output"});
-  return sections;
-}
-
 void resolve_family(Case& c) {
   if (is_deformable(c) && !c.is_given("physics")) c.general.physics = "deformable";
   if (c.general.physics == "particleshear-1.0.2" && !c.is_given("shear.periods")) c.shear.periods = 3;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/used_keys.hpp"
 #include "supple/model/discs.hpp"
 #include "supple/model/polygons.hpp"
 
@@ -21,6 +24,20 @@ void add(Problems& problems, const Case& c, const std::string& what, const std::
          const std::string& to_do) {
   const std::string place = c.origin.empty() ? "" : c.origin + ": ";
   problems.push_back(input_error(place + what, why, to_do).what());
+}
+
+/// Experiments on discs alone have no deformable particles.
+void check_matter(const Case& c, Problems& problems) {
+  const Experiment& e = experiment_of(c);
+  if (!is_deformable(c) || !e.bodies.empty()) return;
+  std::vector<std::string> others;
+  for (const Experiment& other : experiments())
+    if (!other.bodies.empty()) others.push_back(other.name);
+  add(problems, c,
+      fmt::format("{} with experiment = \"{}\"",
+                  c.initial.packing.empty() ? "physics = \"deformable\"" : "initial.packing", e.name),
+      "it is about discs of microgels",
+      fmt::format("leave it away, or choose another experiment: {}", fmt::join(others, ", ")));
 }
 
 /// A disc must not meet itself, nor a neighbour on two sides, across the periodic boundary.
@@ -63,9 +80,6 @@ void check_shear(const Case& c, Problems& problems) {
     add(problems, c,
         fmt::format("shear.rate = \"{}\" in a cell with boundary = \"{}\"", c.shear.rate, c.box.boundary),
         "only Lees-Edwards boundaries can be sheared", "set boundary = \"lees_edwards\" or rate = \"0\"");
-  if (c.general.experiment == "dynamics" && c.output.text)
-    add(problems, c, "output.text = true with experiment = \"dynamics\"",
-        "the published text format holds an oscillatory run", "export the run to csv instead");
   if (c.general.experiment == "dynamics" && !c.is_given("time.steps") && c.time.steps == 0 &&
       c.initial.state.empty())
     add(problems, c, "time.steps is missing", "dynamics records that many steps", "set steps in [time]");
@@ -104,14 +118,6 @@ void check_bodies(const Case& c, Problems& problems) {
   if (c.is_given("physics") && c.general.physics != "deformable")
     add(problems, c, fmt::format("physics = \"{}\" with experiment = \"{}\"", c.general.physics, c.general.experiment),
         "it is about deformable particles", "leave physics away");
-  if (c.output.text)
-    add(problems, c, "output.text = true with deformable particles",
-        "the published text format holds discs of microgels", "export the run to csv instead");
-  if (c.general.experiment == "oscillatory_shear")
-    add(problems, c,
-        c.initial.packing.empty() ? "physics = \"deformable\" with experiment = \"oscillatory_shear\""
-                                  : "initial.packing with experiment = \"oscillatory_shear\"",
-        "it is about discs of microgels", "leave it away, or choose another experiment");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
     add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
         "a rough disc is a ring of vertices", "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
@@ -122,38 +128,10 @@ void check_bodies(const Case& c, Problems& problems) {
         "compression goes from the one to the other", "raise the first or lower the second");
 }
 
-/// Keys of sections that the experiment does not read.
-void find_idle_sections(const Case& c, std::vector<std::string>& doubts) {
-  const std::vector<std::string> read = sections_of(c);
-  for (const std::string& key : c.given) {
-    const auto dot = key.find('.');
-    const std::string section = dot == key.npos ? "" : key.substr(0, dot);
-    if (std::find(read.begin(), read.end(), section) == read.end())
-      doubts.push_back(fmt::format("{} has no effect on experiment = \"{}\"{}", key, c.general.experiment,
-                                   is_deformable(c) ? " of deformable particles" : ""));
-  }
-}
-
 std::vector<std::string> find_body_doubts(const Case& c) {
-  std::vector<std::string> doubts;
+  std::vector<std::string> doubts = find_idle_keys(c);
   const Bodies& b = c.bodies;
-  const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
-    if (c.is_given(std::string(key)) && !used)
-      doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
-  };
   const bool soft = b.family != "disc" && b.family != "rough_disc";
-  for (const auto key : {"bodies.A0", "bodies.A0_ratio", "bodies.A0_ratio_large", "bodies.k_a", "bodies.k_l", "bodies.k_b", "bodies.gamma"})
-    idle(key, soft, "a family of deformable particles");
-  for (const auto key : {"bodies.vertices", "bodies.vertex_rule", "bodies.diameter_ratio", "bodies.discs"})
-    idle(key, b.family != "disc", "a family of polygons");
-  idle("bodies.yield_strain", b.flow_time > 0, "bodies.flow_time");
-  idle("bodies.A0_ratio_large", b.shape_ratio > 0, "bodies.A0_ratio, that of the small ones");
-  const std::string& name = c.general.experiment;
-  const bool moves = name == "dynamics" || name == "slump";
-  for (const auto key :
-       {"jamming.step", "jamming.pressure", "jamming.window", "jamming.search", "jamming.pressure_kind"})
-    idle(key, name != "dynamics", "a search for a pressure: jamming or compression");
-  idle("bodies.flow_time", moves, "an experiment in time: dynamics or slump");
   if (soft && b.family == "floppy" && b.k_b > 0)
     doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
   if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 1)
@@ -166,60 +144,34 @@ std::vector<std::string> find_body_doubts(const Case& c) {
     doubts.push_back(fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
                                  "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
                                  b.gamma, b.k_l));
-  const bool given_cell = name == "dynamics" && !(c.initial.state.empty() && c.initial.packing.empty());
-  idle("contact.k_p", name == "slump" || name == "uniaxial_compression" || given_cell,
-       "walls: slump, uniaxial_compression, or dynamics from a file");
-  idle("contact.floor_friction", name == "slump" || given_cell, "experiment = \"slump\", or dynamics from a file");
-  idle("motion.kinetic_energy", name == "dynamics", "dynamics");
-  if (name == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
-  for (const auto key : {"output.tensors", "output.relative_y_scale_force"}) idle(key, false, "discs of microgels");
-  find_idle_sections(c, doubts);
+  if (c.general.experiment == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
   return doubts;
 }
 
 }  // namespace
 
-void check(const Case& c) {
+void check(const Case& c) { check(c, nullptr); }
+
+void check(const Case& c, const InitialState* initial) {
   Problems problems;
+  check_matter(c, problems);
+  if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
+  const bool from_file = initial || !c.initial.state.empty() || !c.initial.packing.empty();
+  problems = find_useless_keys(c, from_file ? Start::state : Start::nothing);
   if (is_deformable(c)) {
     check_bodies(c, problems);
   } else {
     check_material(c, problems);
     check_shear(c, problems);
-    if (c.initial.state.empty()) check_packing(c, problems);
+    if (!from_file) check_packing(c, problems);
   }
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 std::vector<std::string> find_doubts(const Case& c) {
   if (is_deformable(c)) return find_body_doubts(c);
-  std::vector<std::string> doubts;
-  find_idle_sections(c, doubts);
-  const auto idle = [&](std::string_view key, bool used, std::string_view needed) {
-    if (c.is_given(std::string(key)) && !used)
-      doubts.push_back(fmt::format("{} has no effect without {}", key, needed));
-  };
-  const bool links = c.particles.permanent_links, voronoi = c.particles.cut == "voronoi";
+  std::vector<std::string> doubts = find_idle_keys(c);
   const bool shear = c.general.experiment == "oscillatory_shear";
-  for (const auto key :
-       {"particles.cut", "particles.cut_lines", "particles.edge_fuzziness", "particles.cut_top_bottom",
-        "particles.remove_link_fraction", "material.tensile_law", "material.tensile_range",
-        "material.interface_reenforcement_central", "material.interface_reenforcement_tangential"})
-    idle(key, links, "particles.permanent_links = true");
-  idle("particles.edge_fuzziness", voronoi || !links, "particles.cut = \"voronoi\"");
-  idle("particles.avoid_horizontal_angle_degree", !voronoi, "particles.cut = \"lines\"");
-  idle("material.elastic_expression", c.material.elastic_law == "expression",
-       "material.elastic_law = \"expression\"");
-  for (const auto key : {"material.plateau_begin", "material.plateau_end", "material.plateau_slope"})
-    idle(key, c.material.elastic_law == "plateau", "material.elastic_law = \"plateau\"");
-  idle("material.tensile_range", c.material.tensile_law != "linear" || !links,
-       "material.tensile_law = \"exponential\" or \"saturating\"");
-  for (const auto key : {"shear.amplitude", "shear.relative_frequency", "shear.periods", "shear.pre_periods",
-                         "shear.post_periods"})
-    idle(key, shear || c.general.experiment == "preparation", "experiment = \"oscillatory_shear\"");
-  for (const auto key : {"shear.rate", "time.steps"})
-    idle(key, c.general.experiment == "dynamics", "experiment = \"dynamics\"");
-  idle("output.image_format", c.output.images > 0, "output.images");
   if (c.initial.state.empty() && c.particles.packing_fraction < 0.84)
     doubts.push_back(fmt::format(
         "particles.packing_fraction = {} is below jamming (about 0.84): expect no modulus at rest",

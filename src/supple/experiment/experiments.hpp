@@ -1,6 +1,7 @@
 /// The experiments: what can be run, and how.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "supple/experiment/case.hpp"
@@ -10,13 +11,23 @@
 
 namespace supple {
 
+/// "section.*", "section.key", and "-section.key" to take one out again.
+using UsedKeys = std::vector<std::string_view>;
+
 struct Experiment {
   std::string name, meaning;
+  UsedKeys discs, bodies;  ///< keys it uses of microgel discs, and of deformable particles; empty: not about these
   std::vector<Derived> (*derive)(const Case&, const InitialState*);
   void (*run)(const Case&, const InitialState*, Recorder&);
+  std::string_view next = {};  ///< the experiment that starts from what this one leaves: its keys do no harm here
 };
 
 const std::vector<Experiment>& experiments();
+/// Throws an input error where the case names none of them.
+const Experiment& experiment_of(const Case& c);
+
+/// The same as check(c) for a case that starts from `initial`, or from what [initial] names.
+void check(const Case& c, const InitialState* initial);
 
 /// Derived numbers (time step, spring constant, frequency, steps, ...) of the case's experiment; `initial` is the state
 /// that [initial] names, or null. Throws the input errors that run() would throw before its first step.

@@ -14,15 +14,6 @@ namespace supple {
 
 namespace {
 
-/// visit(key, field, section) for every parameter.
-template <class AnyCase, class Visit>
-void for_each_key(AnyCase& c, Visit&& visit) {
-  for_each_section(c, [&](const std::string& section, auto& values) {
-    for (const auto& field : fields<std::decay_t<decltype(values)>>())
-      visit((section.empty() ? "" : section + ".") + std::string(field.name), field, values);
-  });
-}
-
 template <class Field, class Section>
 KeyValue value_of(const Field& field, const Section& section) {
   return std::visit(

@@ -13,6 +13,7 @@
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/experiment/used_keys.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/shape_measures.hpp"
@@ -129,10 +130,11 @@ Packing packing_of(const Case& c, System<2> system) {
   p.shape_area = area_of_shapes(p.system);
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;
-  p.contact_pressure = c.jamming.pressure_kind == "contact";
+  const Jamming wanted = uses(c, "jamming.pressure") ? c.jamming : Jamming{};
+  p.contact_pressure = wanted.pressure_kind == "contact";
   p.tolerance.relative = c.minimise.force_tolerance;
   p.tolerance.least = c.minimise.least_force > 0 ? c.minimise.least_force
-                                                 : c.minimise.force_tolerance * c.jamming.pressure *
+                                                 : c.minimise.force_tolerance * wanted.pressure *
                                                        p.pressure_unit * 2 * mean_radius(p.system);
   return p;
 }

@@ -19,9 +19,9 @@ Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<std::string>& overrides = {});
 
 enum class CaseStyle {
-  commented,  ///< every key with its meaning; keys that were not given are commented out, holding their
-              ///< default
-  resolved    ///< every key with its value, nothing else: what a run keeps
+  all,        ///< every key with its meaning; keys that were not given are commented out, holding their default
+  commented,  ///< the same of the keys that the experiment uses
+  resolved    ///< every key of its sections with its value, nothing else: what a run keeps
 };
 /// The case as TOML. Numbers are the shortest that read back as the same double.
 std::string write_case(const Case& c, CaseStyle style);

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
 #include <type_traits>
 
 #include "supple/core/text_columns.hpp"
+#include "supple/experiment/experiments.hpp"
+#include "supple/experiment/used_keys.hpp"
 #include "supple/io/case_file.hpp"
 
 namespace supple {
@@ -53,6 +56,12 @@ std::string valid_values(const Field<P>& field) {
   return out;
 }
 
+/// The experiments that use a key.
+std::string users(std::string_view section, std::string_view name) {
+  const std::vector<std::string> all = users_of(section.empty() ? std::string(name) : fmt::format("{}.{}", section, name));
+  return all.size() == experiments().size() ? "all" : fmt::format("{}", fmt::join(all, ", "));
+}
+
 /// Text for a cell of a Markdown table.
 std::string escaped(std::string_view text) {
   std::string out;
@@ -67,14 +76,14 @@ constexpr std::size_t comment_column = 31, comment_width = page_width - comment_
 
 std::string write_case(const Case& c, CaseStyle style) {
   std::string out;
-  if (style == CaseStyle::commented)
+  if (style != CaseStyle::resolved)
     out =
         "# A case of Supple. Keys that begin with # hold their default: take the # away\n"
         "# to change one. Numbers are in the unit in brackets, or carry their own:\n"
         "# width = \"500 um\".\n\n";
   const std::vector<std::string> read = sections_of(c);
   for_each_section(c, [&](std::string_view section, const auto& parameters) {
-    if (std::find(read.begin(), read.end(), section) == read.end()) return;
+    if (style != CaseStyle::all && std::find(read.begin(), read.end(), section) == read.end()) return;
     if (!section.empty()) out += fmt::format("\n[{}]\n", section);
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>()) {
       const std::string value =
@@ -82,7 +91,8 @@ std::string write_case(const Case& c, CaseStyle style) {
       const std::string key =
           section.empty() ? std::string(field.name) : fmt::format("{}.{}", section, field.name);
       std::string line = fmt::format("{} = {}", field.name, value);
-      if (style == CaseStyle::commented) {
+      if (style == CaseStyle::commented && !uses(c, key) && !c.is_given(key)) continue;
+      if (style != CaseStyle::resolved) {
         if (!c.is_given(key)) line = "# " + line;
         std::string margin = fmt::format("{:<{}}", line, comment_column);
         if (text_width(line) >= comment_column) {
@@ -106,11 +116,11 @@ std::string describe_parameters() {
   std::string out;
   for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
     out += section.empty() ? "### Above any section\n" : fmt::format("\n### [{}]\n", section);
-    out += "\n| key | default | unit | valid | meaning |\n|---|---|---|---|---|\n";
+    out += "\n| key | default | unit | valid | meaning | used by |\n|---|---|---|---|---|---|\n";
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
-      out += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", field.name,
+      out += fmt::format("| `{}` | `{}` | {} | {} | {} | {} |\n", field.name,
                          std::visit([&](auto member) { return toml_value(parameters.*member); }, field.member),
-                         field.unit, valid_values(field), escaped(field.meaning));
+                         field.unit, valid_values(field), escaped(field.meaning), users(section, field.name));
   });
   return out;
 }

@@ -1,0 +1,214 @@
+#include "supple/experiment/used_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "supple/core/error.hpp"
+#include "supple/experiment/experiments.hpp"
+
+namespace supple {
+
+namespace {
+
+/// What a key needs besides an experiment that uses it.
+struct Need {
+  enum class Of { physics, start, value };  ///< of the experiment's physics, of a state to start from, of another key
+  std::string_view keys;                    ///< names with spaces between
+  Of of;
+  bool (*met)(const Case&);
+  std::string_view needed;
+};
+
+bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
+bool is(const Case& c, std::string_view experiment) { return c.general.experiment == experiment; }
+bool starts_from_file(const Case& c) { return !c.initial.state.empty() || !c.initial.packing.empty(); }
+bool has_links(const Case& c) { return c.particles.permanent_links; }
+bool has_plateau(const Case& c) { return c.material.elastic_law == "plateau"; }
+bool has_polygons(const Case& c) { return c.bodies.family != "disc"; }
+bool is_soft(const Case& c) { return has_polygons(c) && c.bodies.family != "rough_disc"; }
+
+const std::vector<Need>& needs() {
+  using enum Need::Of;
+  static const std::vector<Need> all{
+      {"preparation.stress_tolerance preparation.max_time", physics, [](const Case& c) { return !is_package(c); },
+       "physics = \"documented\": the package relaxes for numbers of steps of its own"},
+      {"shear.amplitude", physics, [](const Case& c) { return !is(c, "dynamics") || is_package(c); },
+       "experiment = \"oscillatory_shear\": dynamics is sheared by shear.rate"},
+      {"shear.amplitude shear.relative_frequency shear.cool_factor time.step time.step_factor", physics,
+       [](const Case& c) { return !is(c, "preparation") || is_package(c); },
+       "physics = \"particleshear-1.0.2\": as documented the sample knows nothing of the protocol"},
+      {"initial.keep_time", start, [](const Case&) { return false; }, "a file to start from"},
+      {"contact.k_p contact.floor_friction", start, [](const Case& c) { return !is(c, "dynamics"); },
+       "walls: dynamics has those of the file that it starts from"},
+      {"jamming.search", value, [](const Case& c) { return !starts_from_file(c) || c.jamming.search != "pressure"; },
+       "particles made from [bodies]: a packing that is given goes on by the root search"},
+      {"particles.cut particles.cut_lines particles.edge_fuzziness particles.avoid_horizontal_angle_degree "
+       "particles.avoid_height_spanning_particles particles.max_cut_tries particles.cut_top_bottom "
+       "particles.remove_link_fraction material.tensile_law material.tensile_range "
+       "material.interface_reenforcement_central material.interface_reenforcement_tangential",
+       value, has_links, "particles.permanent_links = true"},
+      {"particles.edge_fuzziness", value, [](const Case& c) { return !has_links(c) || c.particles.cut == "voronoi"; },
+       "particles.cut = \"voronoi\""},
+      {"particles.avoid_horizontal_angle_degree", value,
+       [](const Case& c) { return !has_links(c) || c.particles.cut == "lines"; }, "particles.cut = \"lines\""},
+      {"material.tensile_range", value,
+       [](const Case& c) { return !has_links(c) || c.material.tensile_law != "linear"; },
+       "material.tensile_law = \"exponential\" or \"saturating\""},
+      {"material.elastic_expression", value, [](const Case& c) { return c.material.elastic_law == "expression"; },
+       "material.elastic_law = \"expression\""},
+      {"material.plateau_begin material.plateau_end material.plateau_slope", value, has_plateau,
+       "material.elastic_law = \"plateau\""},
+      {"material.central_repulsion_coefficient", value,
+       [](const Case& c) { return c.material.elastic_law != "linear" && c.material.elastic_law != "hertz"; },
+       "material.elastic_law = \"divergent\", \"plateau\" or \"expression\""},
+      {"box.plates", value, [](const Case& c) { return c.box.boundary != "periodic"; },
+       "box.boundary = \"lees_edwards\" or \"fixed\""},
+      {"bodies.A0 bodies.A0_ratio bodies.A0_ratio_large bodies.k_a bodies.k_l bodies.k_b bodies.gamma", value,
+       [](const Case& c) { return starts_from_file(c) || is_soft(c); }, "a family of deformable particles"},
+      {"bodies.vertices bodies.vertex_rule bodies.diameter_ratio bodies.discs", value,
+       [](const Case& c) { return starts_from_file(c) || has_polygons(c); }, "a family of polygons"},
+      {"bodies.yield_strain", value, [](const Case& c) { return c.bodies.flow_time > 0; }, "bodies.flow_time"},
+      {"bodies.A0_ratio_large", value, [](const Case& c) { return !is_soft(c) || c.bodies.shape_ratio > 0; },
+       "bodies.A0_ratio, that of the small ones"},
+      {"time.step_factor", value, [](const Case& c) { return c.time.time_step == 0; },
+       "time.step = 0: it multiplies the step that is chosen"},
+      {"output.image_format", value, [](const Case& c) { return c.output.images > 0; }, "output.images"},
+  };
+  return all;
+}
+
+/// Whether `keys`, with spaces between, names the key.
+bool names(std::string_view keys, std::string_view key) {
+  return fmt::format(" {} ", keys).find(fmt::format(" {} ", key)) != std::string::npos;
+}
+
+/// Of entries "section.*", "section.key" and, to take one out again, "-section.key", the last that fits decides.
+bool declares(const UsedKeys& entries, std::string_view key) {
+  const std::string_view section = key.substr(0, key.find('.') == key.npos ? 0 : key.find('.') + 1);
+  bool used = false;
+  for (std::string_view entry : entries) {
+    const bool out = entry.starts_with('-');
+    if (out) entry.remove_prefix(1);
+    const bool all = entry.ends_with(".*");
+    if (all ? !section.empty() && entry.substr(0, entry.size() - 1) == section : entry == key) used = !out;
+  }
+  return used;
+}
+
+const UsedKeys& used_by(const Experiment& e, bool deformable) { return deformable ? e.bodies : e.discs; }
+
+const Experiment* named(std::string_view name) {
+  for (const Experiment& e : experiments())
+    if (e.name == name) return &e;
+  return nullptr;
+}
+
+/// The need of this kind that is not met.
+const Need* unmet(const Case& c, std::string_view key, Need::Of of) {
+  for (const Need& need : needs())
+    if (need.of == of && names(need.keys, key) && !need.met(c)) return &need;
+  return nullptr;
+}
+
+/// Whether the key is one of the runs that start from what this experiment leaves.
+bool is_of_next(const Case& c, std::string_view key) {
+  const Experiment* e = named(c.general.experiment);
+  const Experiment* next = e ? named(e->next) : nullptr;
+  return next && declares(used_by(*next, is_deformable(c)), key);
+}
+
+std::string described(const Case& c) {
+  std::string text = fmt::format("experiment = \"{}\"", c.general.experiment);
+  const Experiment* e = named(c.general.experiment);
+  if (e && !e->discs.empty() && is_deformable(c)) text += " of deformable particles";
+  if (is_package(c)) text += " with physics = \"particleshear-1.0.2\"";
+  return text;
+}
+
+/// A key of the same name in another section that the experiment uses, or else who uses the key.
+std::string advice(const Case& c, std::string_view key) {
+  const std::string_view name = key.substr(key.find('.') + 1);
+  std::vector<std::string> here;
+  for_each_key(c, [&](const std::string& other, const auto& field, const auto&) {
+    if (field.name == name && other != key && uses(c, other)) here.push_back(other);
+  });
+  if (!here.empty()) return fmt::format("leave it away; here it is {}", fmt::join(here, ", "));
+  return fmt::format("leave it away; it is used by {}", fmt::join(users_of(key), ", "));
+}
+
+}  // namespace
+
+bool is_deformable(const Case& c) {
+  if (c.general.physics == "deformable" || !c.initial.packing.empty()) return true;
+  const Experiment* e = named(c.general.experiment);
+  return e && e->discs.empty();
+}
+
+std::vector<std::string> sections_of(const Case& c) {
+  std::vector<std::string> sections;
+  for_each_key(c, [&](const std::string& key, const auto&, const auto&) {
+    const std::string section = key.find('.') == key.npos ? "" : key.substr(0, key.find('.'));
+    if ((sections.empty() || sections.back() != section) && uses(c, key)) sections.push_back(section);
+  });
+  return sections;
+}
+
+bool uses(const Case& c, std::string_view key) {
+  const Experiment* e = named(c.general.experiment);
+  return e && declares(used_by(*e, is_deformable(c)), key) && !unmet(c, key, Need::Of::physics);
+}
+
+std::vector<std::string> users_of(std::string_view key) {
+  std::vector<std::string> users;
+  for (const Experiment& e : experiments())
+    if (declares(e.discs, key) || declares(e.bodies, key)) users.push_back(e.name);
+  return users;
+}
+
+std::vector<std::string> find_useless_keys(const Case& c, Start start) {
+  const Case defaults;
+  std::vector<std::string> problems;
+  for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
+    const auto is_default = [&](auto member) {
+      bool same = false;
+      for_each_section(defaults, [&](std::string_view, const auto& of_defaults) {
+        if constexpr (std::is_same_v<decltype(of_defaults), decltype(section)>)
+          same = of_defaults.*member == section.*member;
+      });
+      return same;
+    };
+    if (!c.is_given(key) || std::visit(is_default, field.member)) return;
+    const bool used = uses(c, key);
+    const Need* lacking = !used                   ? unmet(c, key, Need::Of::physics)
+                          : start == Start::nothing ? unmet(c, key, Need::Of::start)
+                                                    : nullptr;
+    if (used ? !lacking : is_of_next(c, key)) return;
+    const std::string place = c.origin.empty() ? "" : c.origin + ": ";
+    if (lacking)
+      problems.push_back(input_error(fmt::format("{}{} has no effect", place, key),
+                                     fmt::format("it needs {}", lacking->needed), "leave it away")
+                             .what());
+    else
+      problems.push_back(input_error(fmt::format("{}{} has no effect", place, key),
+                                     fmt::format("{} does not use it", described(c)), advice(c, key))
+                             .what());
+  });
+  return problems;
+}
+
+std::vector<std::string> find_idle_keys(const Case& c) {
+  std::vector<std::string> idle;
+  for (const std::string& key : c.given) {
+    if (!uses(c, key)) {
+      if (is_of_next(c, key))
+        idle.push_back(fmt::format("{} has no effect on {}: it is of the runs that start from it", key, described(c)));
+    } else if (const Need* need = unmet(c, key, Need::Of::value)) {
+      idle.push_back(fmt::format("{} has no effect without {}", key, need->needed));
+    }
+  }
+  return idle;
+}
+
+}  // namespace supple
