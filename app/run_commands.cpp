@@ -13,6 +13,7 @@
 #include "supple/io/body_plot.hpp"
 #include "supple/io/csv.hpp"
 #include "supple/io/packing_file.hpp"
+#include "supple/io/picture_mark.hpp"
 #include "supple/io/published_text.hpp"
 #include "supple/io/run_file.hpp"
 #include "supple/io/run_layout.hpp"
@@ -80,6 +81,20 @@ void check_output_of(const std::string& run_path, const std::string& file, Exist
   check_can_create(file, existing);
 }
 
+namespace {
+
+/// Draws a picture of the run, which replaces one of the same run unasked.
+template <class Draw>
+void draw(const std::string& run_path, const std::string& file, Existing existing, Draw&& picture) {
+  const RunFile run(run_path);
+  const std::string mark = mark_of(run);
+  check_output_of(run_path, file, is_marked(file, mark) ? Existing::replace : existing);
+  picture(run);
+  if (file != standard_output) mark_picture(file, mark);
+}
+
+}  // namespace
+
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing, const std::string& cells) {
   const std::string file = path.empty() ? export_path(run_path, to) : path;
@@ -105,27 +120,27 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
 void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color, const std::string& path,
               Existing existing) {
   const std::string file = path.empty() ? snapshot_path(run_path) : path;
-  check_output_of(run_path, file, existing);
-  const RunFile run(run_path);
-  const std::int64_t count = run.frames();
-  if (count == 0) throw input_error(run_path + " holds no frames", "it stopped before its first step");
-  const std::int64_t k = !frame ? telling_frame(run) : *frame < 0 ? count + *frame : *frame;
-  if (k < 0 || k >= count)
-    throw input_error(fmt::format("{} has no frame {}", run_path, *frame), "",
-                      fmt::format("give 0 to {}, or -1 for the last", count - 1));
-  if (is_of_bodies(run)) return draw_body_snapshot(file, run, k, color);
-  if (!color.empty())
-    throw input_error("--color " + color,
-                      run_path + " holds discs of microgels: they have the colours of their particles");
-  draw_run_snapshot(file, run, k);
+  draw(run_path, file, existing, [&](const RunFile& run) {
+    const std::int64_t count = run.frames();
+    if (count == 0) throw input_error(run_path + " holds no frames", "it stopped before its first step");
+    const std::int64_t k = !frame ? telling_frame(run) : *frame < 0 ? count + *frame : *frame;
+    if (k < 0 || k >= count)
+      throw input_error(fmt::format("{} has no frame {}", run_path, *frame), "",
+                        fmt::format("give 0 to {}, or -1 for the last", count - 1));
+    if (is_of_bodies(run)) return draw_body_snapshot(file, run, k, color);
+    if (!color.empty())
+      throw input_error("--color " + color,
+                        run_path + " holds discs of microgels: they have the colours of their particles");
+    draw_run_snapshot(file, run, k);
+  });
 }
 
 void plot(const std::string& run_path, const std::string& path, Existing existing) {
-  const RunFile run(run_path);
-  const std::string file = path.empty() ? plot_path(run_path, run.resolved_case()) : path;
-  check_output_of(run_path, file, existing);
-  if (is_of_bodies(run)) draw_body_plot(file, run);
-  else draw_run_plot(file, run);
+  const std::string file = path.empty() ? plot_path(run_path, RunFile(run_path).resolved_case()) : path;
+  draw(run_path, file, existing, [&](const RunFile& run) {
+    if (is_of_bodies(run)) draw_body_plot(file, run);
+    else draw_run_plot(file, run);
+  });
 }
 
 }  // namespace supple::command

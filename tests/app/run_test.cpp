@@ -69,7 +69,6 @@ TEST_F(Run, SnapshotsInEveryFormat) {
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("has no frame 99; give 0 to 3, or -1 for the last"));
   EXPECT_EQ(supple("snapshot small.h5 -o x.bmp").code, 2);
-  EXPECT_EQ(supple("snapshot small.h5 -o cell.png").code, 4);
 }
 
 TEST_F(Run, PlotsAndExports) {
