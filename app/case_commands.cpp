@@ -128,6 +128,7 @@ std::vector<std::string> experiment_names() {
 void list_used(const std::string& experiment, Format format) {
   Case c;
   c.general.experiment = experiment;
+  resolve_family(c);
   std::vector<Case> kinds{c};
   c.general.physics = "deformable";
   const Experiment& e = experiment_of(c);
@@ -192,6 +193,7 @@ void init(const std::string& experiment, const std::string& physics, const std::
     throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics),
                       bodies ? "it is about discs of microgels" : "it is about deformable particles",
                       "leave --physics away");
+  resolve_family(c);
   if (experiment == "dynamics") c.time.steps = 1000;
   if (experiment == "dynamics" && is_deformable(c)) {
     c.jamming.packing_fraction = 0.6;

@@ -65,17 +65,6 @@ class Examples : public CommandTest {
   }
 };
 
-TEST_F(Examples, FirstStepsOfTheReadme) {
-  const std::string steps = code_block(document("README.md"), "First steps", "sh");
-  run_script("sh -e", std::regex_replace(steps, std::regex("export PATH.*"), ""));
-  EXPECT_TRUE(exists("gel.pdf") && exists("gel.csv"));
-}
-
-TEST_F(Examples, FirstRunOfTheGuide) {
-  run_script("sh -e", code_block(document("docs/guide.md"), "A first run", "sh"));
-  EXPECT_TRUE(exists("end.pdf") && exists("gel_cell.png"));
-}
-
 TEST_F(Examples, ReadingARunInPython) {
   write_small_case("gel.toml");
   ASSERT_EQ(supple("run gel.toml").code, 0);
