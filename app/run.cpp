@@ -100,13 +100,18 @@ void draw_or_warn(const std::string& what, std::vector<std::string>& written, Dr
     draw();
     written.push_back(what);
   } catch (const Error& e) {
-    if (e.kind() == ErrorKind::file) throw;
+    if (e.kind() == ErrorKind::file || e.kind() == ErrorKind::interrupted) throw;
     fmt::print(stderr, "warning: {} not drawn: {}\n", what, e.what());
   }
 }
 
 void draw_images_of(const Case& c, const std::string& run, Existing existing, CommandRecorder& recorder) {
-  const auto progress = [&](std::int64_t done, std::int64_t total) { recorder.progress("draw images", done, total); };
+  const auto progress = [&](std::int64_t done, std::int64_t total) {
+    recorder.progress("draw images", done, total);
+    if (recorder.stop_requested() && done < total)
+      throw Error(ErrorKind::interrupted, fmt::format("{} of {} images are drawn", done, total),
+                  "the run was asked to stop", run + " is complete");
+  };
   const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
   if (existing == Existing::replace) remove_numbered_files(images_folder(run), "image");
   fs::create_directories(images_folder(run));

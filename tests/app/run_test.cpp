@@ -117,6 +117,26 @@ TEST_P(Stops, ASignalKeepsWhatWasComputed) {
   EXPECT_EQ(RunFile(path("small.h5").string()).status(), "interrupted");
 }
 
+TEST_F(Run, ASignalIsHeededBetweenImages) {
+  write_small_case();
+  const pid_t child = fork();
+  if (child == 0) {
+    std::filesystem::current_path(path(""));
+    std::freopen("log", "w", stderr);
+    execl(SUPPLE_COMMAND, "supple", "run", "small.toml", "--set", "output.frames=400", "--set", "output.images=400", nullptr);
+    _exit(1);
+  }
+  for (int i = 0; i < 1000 && read_text(path("log")).find("draw images") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_THAT(read_text(path("log")), HasSubstr("of 400 images are drawn (the run was asked to stop); small.h5 is complete"));
+  EXPECT_EQ(RunFile(path("small.h5").string()).status(), "complete");
+}
+
 TEST_F(Run, ARunFromAPreparedSuspensionIsTheRunThatPreparesIt) {
   write_small_case();
   ASSERT_EQ(supple("run small.toml").code, 0);

@@ -23,8 +23,10 @@ Case bodies_case(const std::string& experiment, const std::string& family = "she
   c.bodies.count = 12;
   c.bodies.vertices = 12;
   c.jamming.packing_fraction = 0.4;
-  c.time.steps = 10;
-  c.given.insert("time.steps");
+  if (experiment == "dynamics") {
+    c.time.steps = 10;
+    c.given.insert("time.steps");
+  }
   resolve_family(c);
   return c;
 }
