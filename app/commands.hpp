@@ -38,9 +38,10 @@ void list(const std::string& what, Format format);
 void show(const std::string& run_path, Format format, const std::string& path = "-",
           Existing existing = Existing::refuse);
 
-/// Writes a run as "csv" (the main table), "contacts", "trajectory" (the published columns), "text" (the published
-/// format), "state" (its JSON layout), "xyz" or "vtp" (all frames; `cells` of vtp: polygons, outlines, triangles),
-/// "packing" (polygons as JSON), or "hdf5" (one file of its segments); `path` empty: beside the run.
+/// Writes a run as "csv" (the main table), "contacts", "energy" (output.energies), "trajectory" (the
+/// published columns), "text" (the published format), "state" (its JSON layout), "xyz" or
+/// "vtp" (all frames; `cells` of vtp: polygons, outlines, triangles), "packing" (polygons as JSON), or "hdf5"
+/// (one file of its segments); `path` empty: beside the run.
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing, const std::string& cells = "polygons");
 

@@ -107,14 +107,18 @@ void add_run_commands(CLI::App& app, Options& o) {
   CLI::App* exporting = app.add_subcommand("export", "Write a run in another format");
   add_run(*exporting, o);
   exporting
-      ->add_option("--to", o.to,
-                   "csv: main table with units; contacts: every contact of every frame; trajectory: frames of discs "
-                   "in the published columns; text: the published text format; state: final state of discs as JSON; "
-                   "packing: of deformable particles; xyz, vtp: all frames for OVITO, ParaView; hdf5: one file of a "
-                   "run that is going on or was killed")
+      ->add_option(
+          "--to", o.to,
+          "csv: main table with units; contacts: every contact of every frame; energy: the table of "
+          "output.energies; trajectory: frames of discs in the published columns; text: the "
+          "published text format; state: final state of discs as JSON; "
+          "packing: of deformable particles; xyz, vtp: all frames for OVITO, ParaView; hdf5: one file of a "
+          "run that is going on or was killed")
       ->type_name("FORMAT")
       ->each([](const std::string& name) {
-        command::check_choice("--to", name, {"csv", "contacts", "trajectory", "text", "state", "packing", "xyz", "vtp", "hdf5"});
+        command::check_choice(
+            "--to", name,
+            {"csv", "contacts", "energy", "trajectory", "text", "state", "packing", "xyz", "vtp", "hdf5"});
       })
       ->capture_default_str();
   exporting

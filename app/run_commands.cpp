@@ -66,10 +66,15 @@ std::string plot_path(const std::string& run, const Case& c) {
 }
 std::string snapshot_path(const std::string& run) { return beside(run, "_cell.png"); }
 std::string export_path(const std::string& run, const std::string& to) {
-  static const std::map<std::string, std::string> endings{{"csv", ".csv"},          {"text", ".txt"},
-                                                          {"state", "_state.json"}, {"xyz", ".xyz"},
-                                                          {"vtp", ".pvd"},          {"packing", "_packing.json"},
-                                                          {"contacts", "_contacts.csv"}, {"trajectory", "_trajectory.csv"},
+  static const std::map<std::string, std::string> endings{{"csv", ".csv"},
+                                                          {"text", ".txt"},
+                                                          {"state", "_state.json"},
+                                                          {"xyz", ".xyz"},
+                                                          {"vtp", ".pvd"},
+                                                          {"packing", "_packing.json"},
+                                                          {"contacts", "_contacts.csv"},
+                                                          {"energy", "_energy.csv"},
+                                                          {"trajectory", "_trajectory.csv"},
                                                           {"hdf5", "_so_far.h5"}};
   return beside(run, endings.at(to));
 }
@@ -107,6 +112,7 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
   if (to == "csv") export_csv(RunFile(run_path), file, existing);
   else if (to == "xyz") export_xyz(RunFile(run_path), file, existing);
   else if (to == "contacts") export_contacts(RunFile(run_path), file, existing);
+  else if (to == "energy") export_energy(RunFile(run_path), file, existing);
   else if (to == "trajectory") export_trajectory(RunFile(run_path), file, existing);
   else if (to == "hdf5") save_merged(RunFile(run_path), RunFile(run_path).status(), file, existing);
   else if (to == "vtp")

@@ -173,6 +173,8 @@ const Fields<Output>& fields() {
   static const Fields<Output> f{
       {"file", &Output::file, "", "the run; empty: name of the case with .h5"},
       {"tensors", &Output::tensors, "", "keep every tensor at every step (discs of microgels)"},
+      {"energies", &Output::energies, "",
+       "keep energies, work and losses by channel at every step (discs of microgels)"},
       {"frames", &Output::frames, "",
        "evenly spaced frames of the protocol; dynamics keeps every step unless this is given", at_least_one},
       {"images", &Output::images, "", "evenly spaced images of the protocol", not_negative},

@@ -125,6 +125,7 @@ struct Motion {
 struct Output {
   std::string file;           ///< empty: <case name>.h5 beside the current folder
   bool tensors = true;        ///< every tensor at every step
+  bool energies = false;      ///< the energy balance by channel at every step
   int frames = 49;            ///< evenly spaced over the protocol, a quarter of a period by default; dynamics: every step
   int images = 0;             ///< evenly spaced images over the protocol
   std::string image_format = "png";

@@ -1,8 +1,9 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
-#include "supple/core/whole_number.hpp"
 #include "supple/core/expression.hpp"
+#include "supple/core/whole_number.hpp"
+#include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/frame_schedule.hpp"
@@ -71,6 +72,8 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
+  std::optional<EnergyTable> energies;
+  make_energy_table(energies, recorder, s, c, initial);
   FrameSchedule frames(steps, c.is_given("output.frames") ? c.output.frames : steps + 1);
   std::int64_t stopped_after = 0;
   for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {
@@ -79,6 +82,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
     const Evaluation<2>& evaluation =
         keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
+    if (energies) energies->append(s.system, evaluation);
     if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
     s.stepper->advance(s.system, rates, s.time_step, s.damping);
     if (i % 256 == 0) recorder.progress("dynamics", i, steps);
@@ -89,8 +93,10 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const Evaluation<2>& last = s.stepper->evaluate_energies(s.system, rates);
   if (stopped_after == 0) {
     table.append(s.system, last, rates.now);
+    if (energies) energies->append(s.system, last);
     recorder.frame(frame_of(s, last, rates));
   }
+  if (energies) energies->finish();
   table.finish(s.system, last);
   if (stopped_after > 0)
     throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(stopped_after));

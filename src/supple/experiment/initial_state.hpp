@@ -26,7 +26,7 @@ inline constexpr auto material_group = "material";
 inline constexpr auto contact_stiffness = "contact_stiffness";
 inline constexpr auto contact_is_relative = "contact_is_relative";
 /// Group of a run for what else its continuation takes over: dt, cool_factor, reset_force_each_step,
-/// removed_stress.
+/// removed_stress, and where it keeps an account of energy, account_numbers().
 inline constexpr auto protocol_group = "protocol";
 
 /// visit(name, constant) for each; the names are those of the files.
@@ -70,8 +70,8 @@ struct InitialState {
   std::optional<Harmonic> contact;  ///< law of deformable particles' contacts, where the file has it
   HeldKeys keys;            ///< laws and sample by name, where the file has them
   Environment environment;  ///< of deformable particles
-  /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre, periods,
-  /// post, removed_stress [Pa] (see JumpCorrection).
+  /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre,
+  /// periods, post, removed_stress [Pa] (see JumpCorrection), account_numbers() [J/m] (see EnergyTable).
   std::map<std::string, double> protocol;
   bool reset_force_each_step = true;   ///< false: forces on discs that do not move pile up, as in the package
 };

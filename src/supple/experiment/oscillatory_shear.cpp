@@ -8,6 +8,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/whole_number.hpp"
+#include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/frame_schedule.hpp"
@@ -133,6 +134,8 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
+  std::optional<EnergyTable> energies;
+  make_energy_table(energies, recorder, s, c, initial);
   FrameSchedule frames(protocol.rows - 1, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);
@@ -140,8 +143,10 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
     const Evaluation<2>& evaluation =
         keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
     table.append(s.system, evaluation, rates.now);
+    if (energies) energies->append(s.system, evaluation);
     if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
     if (recorder.stop_requested()) {
+      if (energies) energies->finish();
       table.finish(s.system, evaluation);
       throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));
     }
@@ -150,6 +155,7 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   }
   recorder.progress("oscillatory shear", protocol.steps, protocol.steps);
   const Evaluation<2>& last = s.stepper->evaluate(s.system, {});
+  if (energies) energies->finish();
   table.finish(s.system, last);
   record_moduli(table, protocol.windows, protocol.correction, gap_of(s.system, s.units), recorder);
   record_counts(s.system, last, recorder);

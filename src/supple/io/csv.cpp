@@ -252,6 +252,16 @@ void export_csv(const RunFile& run, const std::string& path, Existing existing) 
   csv.commit();
 }
 
+void export_energy(const RunFile& run, const std::string& path, Existing existing) {
+  if (!run.has_table("energy"))
+    throw input_error(run.path() + " has no table of energy",
+                      "runs of discs keep it, in the documented physics, where they are asked to",
+                      "run it again with output.energies = true");
+  CsvFile csv(path, existing);
+  export_table(run, "energy", csv);
+  csv.commit();
+}
+
 void export_trajectory(const RunFile& run, const std::string& path, Existing existing) {
   CsvFile csv(path, existing);
   write_trajectory(run, csv);

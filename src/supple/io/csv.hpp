@@ -14,6 +14,9 @@ namespace supple {
 /// Discs: the table "stress", one row per step. Throws a file error where the run has no such table.
 void export_csv(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
+/// The table "energy" alike: a row per step. Throws an input error where the run has none.
+void export_energy(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
+
 /// Every contact of every frame, a row each: who touches whom, in which state, forces and their parts, in SI or the
 /// units of the run.
 void export_contacts(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);

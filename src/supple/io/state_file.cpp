@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/energy_table.hpp"
 #include "supple/io/hdf5.hpp"
 #include "supple/io/held_keys_json.hpp"
 #include "supple/io/path_kind.hpp"
@@ -164,6 +165,8 @@ InitialState read_json(const std::string& path) {
   out.keys = read_keys(root, params);
   if (root.has("reset_force_each_step")) out.reset_force_each_step = root.at("reset_force_each_step").truth();
   for (const char* name : protocol_numbers)
+    if (root.has(name)) out.protocol[name] = root.at(name).number();
+  for (const std::string& name : account_numbers())
     if (root.has(name)) out.protocol[name] = root.at(name).number();
 
   const Node initial = root.at("initial");

@@ -48,6 +48,12 @@ void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluatio
   book_losses(evaluation, -system.lag);
 }
 
+void EnergyBalance::resume(const System<2>& system, double energy_at_opening, const EnergyFlows& booked) {
+  flows_ = booked;
+  energy_at_opening_ = energy_at_opening;
+  kinetic_ = kinetic_energy_now(system.state);
+}
+
 void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>& system) {
   const double now = kinetic_energy_now(system.state);
   flows_.*part += sign * (now - kinetic_);

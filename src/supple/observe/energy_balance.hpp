@@ -34,6 +34,12 @@ class EnergyBalance {
   /// Opens the account at this instant (with energies).
   void open(const System<2>& system, const Evaluation<2>& evaluation);
 
+  /// Goes on with an account of which these were kept, at the instant to which it was booked.
+  void resume(const System<2>& system, double energy_at_opening, const EnergyFlows& booked);
+  double energy_at_opening() const { return energy_at_opening_; }
+  /// What resume() needs: flows without those of the half step before the present instant.
+  const EnergyFlows& booked() const { return flows_; }
+
   /// Books the change of kinetic energy since the last booking as work (sign +1) or as loss (-1).
   void book(double EnergyFlows::*flow, double sign, const System<2>& system);
   /// The kinetic energy that changed since the last booking came from the contacts.

@@ -25,9 +25,7 @@ class DiscDynamics : public Stepper {
   void set_friction(double coefficient) override { forces_.contacts().set_friction(coefficient); }
   double friction() const override { return forces_.contacts().law().friction; }
   void set_plates(Plates plates) override;
-  /// Books every step on this account, whose opening the caller sees to (nullptr: none). Evaluations then hold
-  /// energies.
-  void set_account(EnergyBalance* account) { account_ = account; }
+  void set_account(EnergyBalance* account) override { account_ = account; }
   /// Call after sites, radii or links were changed by hand.
   void invalidate() { forces_.invalidate(); }
   const ForceField& forces() const { return forces_; }

@@ -15,6 +15,8 @@ struct ShearRates {
 /// What the plates do: nothing (plain Lees-Edwards); take with them every disc that reaches them; repel discs.
 enum class Plates { none, capture, repulsive };
 
+class EnergyBalance;
+
 class Stepper {
  public:
   virtual ~Stepper() = default;
@@ -23,6 +25,9 @@ class Stepper {
   /// The same with energies and virial, where has_energies().
   virtual const Evaluation<2>& evaluate_energies(System<2>& system, ShearRates rates) { return evaluate(system, rates); }
   virtual bool has_energies() const { return false; }
+  /// Books every step on this account, whose opening the caller sees to (nullptr: none). Evaluations then
+  /// hold energies. Only where has_energies().
+  virtual void set_account(EnergyBalance*) {}
   /// From the present instant to dt later, evaluate() having been called; `damping` multiplies, once, velocity
   /// relative to the flow and spin. Throws a numerics error that names step and disc if a value is not finite.
   virtual void advance(System<2>& system, ShearRates rates, double dt, double damping) = 0;

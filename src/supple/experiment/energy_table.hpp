@@ -1,0 +1,42 @@
+/// The table "energy": where the energy of a suspension is, whence it came and where it went, a row per step.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "supple/experiment/initial_state.hpp"
+#include "supple/experiment/recorder.hpp"
+#include "supple/experiment/suspension.hpp"
+#include "supple/observe/energy_balance.hpp"
+
+namespace supple {
+
+/// Declares and fills the table, in J per metre of depth, and keeps the account that it is made from: the
+/// stepper books every step on it. Of the documented model alone.
+class EnergyTable {
+ public:
+  /// With the time of `initial` (initial.keep_time) the account of that run goes on, where it has one.
+  EnergyTable(Recorder& recorder, const Suspension& s, const Case& c, const InitialState* initial);
+  EnergyTable(const EnergyTable&) = delete;
+  EnergyTable& operator=(const EnergyTable&) = delete;
+
+  /// One row; the first opens the account. The evaluation is the stepper's at this instant.
+  void append(const System<2>& system, const Evaluation<2>& evaluation);
+  /// Hands over what a continuation needs of the account.
+  void finish();
+
+ private:
+  Recorder& recorder_;
+  double time_, energy_;  ///< units of the run in SI
+  EnergyBalance account_;
+  bool is_open_ = false;
+};
+
+/// The table of a case that asks for it.
+void make_energy_table(std::optional<EnergyTable>& table, Recorder& recorder, const Suspension& s,
+                       const Case& c, const InitialState* initial);
+
+/// Names in protocol_group of what an account needs to go on [J/m].
+std::vector<std::string> account_numbers();
+
+}  // namespace supple
