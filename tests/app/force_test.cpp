@@ -88,6 +88,23 @@ TEST_F(Force, RemovesNoFolderOfOthers) {
   EXPECT_EQ(supple("run small.toml --force").code, 0);
 }
 
+TEST_F(Force, LeavesNothingOfAnOlderRunInItsFolders) {
+  write_small_case();
+  const auto files_in = [&](const char* folder) {
+    return std::distance(fs::directory_iterator(path(folder)), fs::directory_iterator());
+  };
+  ASSERT_EQ(supple("run small.toml --set output.frames=4 --set output.images=4").code, 0);
+  ASSERT_EQ(supple("export small.h5 --to vtp -o small.pvd").code, 0);
+  ASSERT_EQ(files_in("small_images"), 4);
+  ASSERT_EQ(files_in("small_frames"), 4);
+  write("small_images/notes.txt", "of the user");
+  ASSERT_EQ(supple("run small.toml --set output.frames=2 --set output.images=2 --force").code, 0);
+  ASSERT_EQ(supple("export small.h5 --to vtp -o small.pvd --force").code, 0);
+  EXPECT_EQ(files_in("small_images"), 2 + 1) << "what is not of a run stays";
+  EXPECT_EQ(files_in("small_frames"), 2);
+  EXPECT_TRUE(exists("small_images/notes.txt"));
+}
+
 TEST_F(Force, TheMessageOfWhatExistsNamesIt) {
   write_small_case();
   ASSERT_EQ(supple("run small.toml").code, 0);
