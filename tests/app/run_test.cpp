@@ -20,6 +20,26 @@ class Run : public CommandTest {
   json results(const std::string& run) {
     return json::parse(supple("show " + run + " --json").out)["results"];
   }
+  /// Runs small.toml with these settings, stderr in "log", and sends the signals when that says `phase`: the exit code.
+  int code_after_signals(const std::vector<std::string>& settings, const std::string& phase,
+                         const std::vector<int>& signals) {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::filesystem::current_path(path(""));
+      std::freopen("log", "w", stderr);
+      std::vector<const char*> words{"supple", "run", "small.toml"};
+      for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting.c_str()});
+      words.push_back(nullptr);
+      execv(SUPPLE_COMMAND, const_cast<char* const*>(words.data()));
+      _exit(1);
+    }
+    for (int i = 0; i < 1000 && read_text(path("log")).find(phase) == std::string::npos; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (const int signal : signals) kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
 };
 
 TEST_F(Run, LeavesARunAndPrintsItsModuli) {
@@ -99,41 +119,16 @@ INSTANTIATE_TEST_SUITE_P(Run, Stops,
 
 TEST_P(Stops, ASignalKeepsWhatWasComputed) {
   write_small_case();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::filesystem::current_path(path(""));
-    std::freopen("log", "w", stderr);
-    execl(SUPPLE_COMMAND, "supple", "run", "small.toml", "--set", "shear.periods=100000", nullptr);
-    _exit(1);
-  }
-  for (int i = 0; i < 1000 && read_text(path("log")).find("oscillatory") == std::string::npos; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  for (const int signal : GetParam()) kill(child, signal);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(code_after_signals({"shear.periods=100000"}, "oscillatory", GetParam()), 130);
   EXPECT_THAT(read_text(path("log")), HasSubstr("what was computed is in small.h5"));
   EXPECT_EQ(RunFile(path("small.h5").string()).status(), "interrupted");
 }
 
 TEST_F(Run, ASignalIsHeededBetweenImages) {
   write_small_case();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::filesystem::current_path(path(""));
-    std::freopen("log", "w", stderr);
-    execl(SUPPLE_COMMAND, "supple", "run", "small.toml", "--set", "output.frames=400", "--set", "output.images=400", nullptr);
-    _exit(1);
-  }
-  for (int i = 0; i < 1000 && read_text(path("log")).find("draw images") == std::string::npos; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_THAT(read_text(path("log")), HasSubstr("of 400 images are drawn (the run was asked to stop); small.h5 is complete"));
+  EXPECT_EQ(code_after_signals({"output.frames=400", "output.images=400"}, "draw images", {SIGINT}), 130);
+  EXPECT_THAT(read_text(path("log")),
+              HasSubstr("of 400 images are drawn (the run was asked to stop); small.h5 is complete"));
   EXPECT_EQ(RunFile(path("small.h5").string()).status(), "complete");
 }
 
