@@ -2,6 +2,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/case.hpp"
+#include "tests/experiment/error_of.hpp"
 
 namespace supple {
 namespace {
@@ -9,16 +10,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::string error_of(const Case& c) {
-  try {
-    check(c);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::input);
-    return e.what();
-  }
-  return "no error";
-}
 
 TEST(Check, TheDefaultsAreSoundAndRaiseNoDoubt) {
   EXPECT_EQ(error_of(Case{}), "no error");

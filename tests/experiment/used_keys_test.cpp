@@ -6,6 +6,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "tests/experiment/error_of.hpp"
 
 namespace supple {
 namespace {
@@ -89,16 +90,6 @@ std::vector<std::string> all_keys() {
   const Case defaults;
   for_each_key(defaults, [&](const std::string& key, const auto&, const auto&) { keys.push_back(key); });
   return keys;
-}
-
-std::string error_of(const Case& c) {
-  try {
-    check(c);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::input);
-    return e.what();
-  }
-  return "no error";
 }
 
 /// Everything that a run computes, or how it failed. Not what it hands on without using it: the group "protocol".
