@@ -48,14 +48,23 @@ TEST(Cost, NumbersKnownBeforehandAreThoseOfTheRun) {
     }
 }
 
-TEST(Cost, ParticlesInARowAreThoseOfTheCell) {
+TEST(Cost, ManyParticlesSetApartAreStillACellThatCanBeComputedWith) {
+  Case c = bodies_case("jamming");
+  c.bodies.count = 1000;  // in one row they would reach beyond 1e9 of these radii
+  c.bodies.vertices = 20;
+  c.bodies.diameter_ratio = 0.05;
+  c.contact.kind = "smooth";
+  EXPECT_NO_THROW(derive(c, nullptr));
+}
+
+TEST(Cost, ParticlesSetApartAreThoseOfTheCell) {
   for (const char* family : {"shell", "floppy", "disc", "rough_disc"})
-    for (const double ratio : {1.4, 100.0}) {  // the largest are wider than the usual distance in the row
+    for (const double ratio : {1.4, 100.0}) {  // the largest are wider than the usual distance between particles
       SCOPED_TRACE(family);
       Case c = bodies_case("jamming", family);
       c.bodies.size_ratio = ratio;
       c.jamming.packing_fraction = ratio < 2 ? 0.4 : 0.05;
-      const std::vector<Derived> row = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction, in_a_row)),
+      const std::vector<Derived> row = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction, set_apart)),
                                  cell = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction));
       for (std::size_t k = 0; k < row.size(); ++k)
         EXPECT_NEAR(row[k].value, cell[k].value, 1e-9 * cell[k].value) << row[k].name.name;

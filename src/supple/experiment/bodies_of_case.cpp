@@ -10,6 +10,7 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/core/error.hpp"
+#include "supple/core/parallel.hpp"
 #include "supple/core/random.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/model/bodies.hpp"
@@ -71,7 +72,10 @@ double widest_particle(const Case& c, const BodySizes& sizes) {
   for (const int body : {0, sizes.particles - 1, sizes.bodies() - 1}) {
     System<2> alone;
     add_particle(c, sizes, body, {}, alone);
-    widest = std::max(widest, 2 * outer_radius(alone, 0));
+    const double width = 2 * outer_radius(alone, 0);
+    alone.box.length = {width, width};
+    require_sane(alone, "these particles");
+    widest = std::max(widest, width);
   }
   return widest;
 }
@@ -120,15 +124,20 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   const BodySizes sizes(c.bodies);
   const int bodies = sizes.bodies();
   LooseBodies loose;
-  System<2>& s = loose.system;
   const double pitch = std::max(1e2, 1.1 * widest_particle(c, sizes));
-  for (int b = 0; b < bodies; ++b) add_particle(c, sizes, b, {pitch * b, 0}, s);
-  s.box.length = {pitch * (bodies + 1), pitch * (bodies + 1)};
-  require_sane(s, "these particles");
   const double apart = std::max(1e4, 2 * pitch) * bodies;
-  s.box.length = {apart, apart};  // every packing follows, to the last bit, from areas summed in this cell
-  for (double a : packing_fraction(s, outline_of(c)).area) loose.area += a;
-  for (int b = 0; b < bodies; ++b) loose.radius.push_back(outer_radius(s, b));
+  std::vector<double> area(static_cast<std::size_t>(bodies));
+  loose.radius.resize(area.size());
+  for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    for (auto b = static_cast<int>(begin); b < end; ++b) {
+      System<2> alone;
+      add_particle(c, sizes, b, {pitch * b, 0}, alone);  // every packing follows, to the last bit, from areas there
+      alone.box.length = {apart, apart};
+      area[b] = packing_fraction(alone, outline_of(c)).area[0];
+      loose.radius[b] = outer_radius(alone, 0);
+    }
+  });
+  for (const double a : area) loose.area += a;
   Box<2>& cell = loose.cell;
   cell.periodic = enclosure.periodic;
   const double width = std::sqrt(loose.area / packing_fraction_wanted / enclosure.aspect_ratio);
@@ -144,6 +153,17 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
                     cell.periodic[0] ? "would meet a neighbour on two sides" : "does not fit in"),
         "raise bodies.N");
   return loose;
+}
+
+System<2> particles_apart(const Case& c) {
+  const BodySizes sizes(c.bodies);
+  const double pitch = 2 * widest_particle(c, sizes);
+  const auto side = static_cast<int>(std::ceil(std::sqrt(sizes.bodies())));
+  System<2> system;
+  system.box.length = {pitch * side, pitch * side};
+  for (int b = 0; b < sizes.bodies(); ++b)
+    add_particle(c, sizes, b, {pitch * (b % side + 0.5), pitch * (b / side + 0.5)}, system);
+  return system;
 }
 
 System<2> random_packing(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure,

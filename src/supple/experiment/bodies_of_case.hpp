@@ -34,9 +34,8 @@ struct Enclosure {
   std::array<bool, 2> periodic{true, true};
 };
 
-/// The particles in a row, far apart, and the cell that they are for.
+/// How large the particles are, and the cell that they are for.
 struct LooseBodies {
-  System<2> system;
   std::vector<double> radius;  ///< of the circle round each
   double area = 0;             ///< that all of them cover
   Box<2> cell;
@@ -46,7 +45,10 @@ struct LooseBodies {
 /// cell.
 LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {});
 
-/// Those particles at random positions in the cell, moved apart as far as can be. Input error where there is no room;
+/// The particles in a square array, far apart.
+System<2> particles_apart(const Case& c);
+
+/// The particles at random positions in the cell, moved apart as far as can be. Input error where there is no room;
 /// `interrupted` where asked to stop.
 System<2> random_packing(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
                          const std::function<bool()>& stop_requested = {});

@@ -37,7 +37,7 @@ std::vector<Derived> derived_motion(const Case& c, const Packing& packing, doubl
 }  // namespace
 
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
-  Packing packing = moving_packing(c, initial, in_a_row);
+  Packing packing = moving_packing(c, initial, set_apart);
   return derived_motion(c, packing, body_time_step(c, packing, initial, conserving_step));
 }
 

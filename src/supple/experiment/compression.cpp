@@ -104,7 +104,7 @@ void record_onset(const Course& course, const std::string& branch, const Packing
 }  // namespace
 
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial, in_a_row));
+  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial, set_apart));
   all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
   return all;
 }

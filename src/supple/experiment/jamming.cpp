@@ -19,7 +19,7 @@ JamSpec jam_spec(const Case& c) {
 }
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
-  const Packing packing = make_periodic_packing(c, initial, in_a_row);
+  const Packing packing = make_periodic_packing(c, initial, set_apart);
   std::vector<Derived> all = derived_equilibria(packing);
   all.push_back({{"evaluations", "", "force evaluations, within a factor of about two"},
                  evaluations_to_jam(packing.system.state.size())});

@@ -157,9 +157,9 @@ Packing packing_from(const Case& c, const InitialState* initial, double packing_
   Packing p;
   if (initial) {
     p = packing_of(c, given_system(c, *initial));
-  } else if (making.places == Places::row) {
-    LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
-    p = packing_of(c, std::move(loose.system));
+  } else if (making.places == Places::apart) {
+    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
+    p = packing_of(c, particles_apart(c));
     p.cell = loose.cell;
     p.covered_area = loose.area;
     return p;

@@ -33,14 +33,14 @@ struct Packing {
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
   double shape_area = 0;          ///< of their polygons and discs then
   OnUnsound on_unsound = OnUnsound::stop;
-  Box<2> cell;                    ///< that it begins in; the system's own, but for particles in a row
+  Box<2> cell;                    ///< that it begins in; the system's own, but for particles set apart
   std::optional<System<2>> relaxed;  ///< the last state in equilibrium that no look refused: remember()
 };
 
 /// Where the particles of a case are put.
 enum class Places {
   random,  ///< in the cell, apart
-  row      ///< far apart in a row, at no cost: for numbers that do not depend on where they are
+  apart    ///< far apart in a square array, at no cost: for numbers that do not depend on where they are
 };
 
 struct Making {

@@ -11,7 +11,7 @@
 namespace supple {
 
 /// How packings are made to derive numbers from, and to run.
-inline const Making in_a_row{Places::row, {}};
+inline const Making set_apart{Places::apart, {}};
 inline Making at_random(const Recorder& recorder) {
   return {Places::random, [&recorder] { return recorder.stop_requested(); }};
 }

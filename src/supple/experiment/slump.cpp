@@ -199,7 +199,7 @@ std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
 }  // namespace
 
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
-  Packing packing = hanging_packing(c, initial, in_a_row);
+  Packing packing = hanging_packing(c, initial, set_apart);
   return derived_slump(c, packing);
 }
 

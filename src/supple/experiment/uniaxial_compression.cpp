@@ -133,7 +133,7 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
 }  // namespace
 
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial, in_a_row));
+  std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial, set_apart));
   all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"},
                  static_cast<double>(wall_steps(c))});
   return all;
