@@ -203,7 +203,7 @@ TEST_F(Bodies, RandomParticlesThatDoNotFitAreRefused) {
   ASSERT_EQ(supple("init uniaxial_compression").code, 0);
   const Outcome run = supple("run uniaxial_compression.toml --set uniaxial.packing_fraction=0.94");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("vertices inside another one"));
+  EXPECT_THAT(run.err, HasSubstr("inside another one, or vertices of them are"));
 }
 
 TEST_F(Bodies, MotionsAreDrawn) {
