@@ -17,10 +17,10 @@
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/used_keys.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/progress.hpp"
-#include "supple/io/packing_file.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/state/packing_file.hpp"
+#include "supple/io/state/state_file.hpp"
+#include "supple/io/text/case_file.hpp"
+#include "supple/io/text/progress.hpp"
 
 namespace supple::command {
 
@@ -46,7 +46,8 @@ std::set<std::string> first_keys(const Case& c) {
   if (experiment == "compression")
     return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
   if (experiment == "uniaxial_compression")
-    return {"experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
+    return {
+        "experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
   if (experiment == "slump")
     return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "slump.gravity"};
   return {"experiment",          "seed",
@@ -57,7 +58,9 @@ std::set<std::string> first_keys(const Case& c) {
 
 /// As a shell takes it for one word.
 std::string as_word(const std::string& name) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) || std::string_view("_./-+=,:@%").find(c) != std::string_view::npos; };
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("_./-+=,:@%").find(c) != std::string_view::npos;
+  };
   if (std::all_of(name.begin(), name.end(), plain)) return name;
   std::string word = "'";
   for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -70,7 +73,8 @@ std::optional<double> find(const std::vector<Derived>& derived, const std::strin
   return std::nullopt;
 }
 
-int site_count(const Case& c, const std::optional<InitialState>& initial, const std::vector<Derived>& derived) {
+int site_count(const Case& c, const std::optional<InitialState>& initial,
+               const std::vector<Derived>& derived) {
   if (initial) return initial->system.state.size();
   return is_deformable(c) ? static_cast<int>(find(derived, "sites").value_or(0)) : c.particles.discs;
 }
@@ -140,7 +144,10 @@ void list_used(const std::string& experiment, Format format) {
   });
   if (format == Format::json) return fmt::print("{}\n", j.dump(2));
   for (const Case& kind : kinds) {
-    fmt::print("{}{}: {}\n\n", experiment, kinds.size() == 1 ? "" : is_deformable(kind) ? " of deformable particles" : " of discs",
+    fmt::print("{}{}: {}\n\n", experiment,
+               kinds.size() == 1     ? ""
+               : is_deformable(kind) ? " of deformable particles"
+                                     : " of discs",
                e.meaning);
     fmt::print("{}{}", write_case(kind, CaseStyle::commented), &kind == &kinds.back() ? "" : "\n");
   }
@@ -178,7 +185,8 @@ LoadedCase load_case(const CaseChoice& choice) {
   return {std::move(c), std::move(initial)};
 }
 
-void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing) {
+void init(const std::string& experiment, const std::string& physics, const std::string& path,
+          Existing existing) {
   const std::vector<std::string> names = experiment_names();
   if (std::find(names.begin(), names.end(), experiment) == names.end()) {
     const auto near = nearest_name(experiment, names);
@@ -220,9 +228,9 @@ void check(const CaseChoice& choice, Format format) {
   const std::vector<Derived> derived = derive_case(c, initial);
   const auto steps = find(derived, "steps");
   const auto evaluations = find(derived, "evaluations");
-  const double estimate = (steps.value_or(0) * seconds_per_disc_step +
-                           evaluations.value_or(0) * seconds_per_site_evaluation) *
-                          site_count(c, initial, derived) / c.general.threads;
+  const double estimate =
+      (steps.value_or(0) * seconds_per_disc_step + evaluations.value_or(0) * seconds_per_site_evaluation) *
+      site_count(c, initial, derived) / c.general.threads;
   if (estimate > 30 * 86400.0)
     doubts.push_back(fmt::format("the run would take about {}: lower the number of particles or steps",
                                  describe_seconds(estimate)));
@@ -245,11 +253,13 @@ void check(const CaseChoice& choice, Format format) {
     rows.push_back({name, fmt::format("{:>12} {}", value, unit)});
     meanings.push_back(meaning);
   };
-  for (const Derived& d : derived) add(d.name.name, fmt::format("{:.6g}", d.value), d.name.unit, d.name.meaning);
+  for (const Derived& d : derived)
+    add(d.name.name, fmt::format("{:.6g}", d.value), d.name.unit, d.name.meaning);
   if (steps || evaluations)
     add("time to run", describe_seconds(estimate), "",
         steps ? "without preparation, roughly" : "within a factor of about two");
-  for (std::size_t i = 0; i < rows.size(); ++i) fmt::print("{}", table_row(rows[i], widths_of(rows), meanings[i]));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    fmt::print("{}", table_row(rows[i], widths_of(rows), meanings[i]));
   for (const std::string& doubt : doubts) fmt::print("\n{}", hang_words("", "warning: " + doubt, 0));
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "supple/core/new_file.hpp"
 #include "supple/experiment/case.hpp"
-#include "supple/io/new_file.hpp"
 
 namespace supple::command {
 
@@ -19,9 +19,10 @@ struct CaseChoice {
   int threads = 0;               ///< 0: as the case says
 };
 
-/// Writes a commented case of that experiment; `physics` empty: its first one; `path` empty: EXPERIMENT.toml; "-":
-/// stdout.
-void init(const std::string& experiment, const std::string& physics, const std::string& path, Existing existing);
+/// Writes a commented case of that experiment; `physics` empty: its first one; `path` empty: EXPERIMENT.toml;
+/// "-": stdout.
+void init(const std::string& experiment, const std::string& physics, const std::string& path,
+          Existing existing);
 
 /// Validates and prints derived numbers and doubts.
 void check(const CaseChoice& choice, Format format);
@@ -30,8 +31,8 @@ void check(const CaseChoice& choice, Format format);
 /// `path` empty: what the case says, or the case's name with .h5 in the current folder.
 void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format);
 
-/// Experiments, laws and choices, every parameter with unit, default and meaning; `what`: the keys of this section alone,
-/// or those that this experiment uses.
+/// Experiments, laws and choices, every parameter with unit, default and meaning; `what`: the keys of this
+/// section alone, or those that this experiment uses.
 void list(const std::string& what, Format format);
 
 /// Writes the summary of a run.
@@ -45,12 +46,14 @@ void show(const std::string& run_path, Format format, const std::string& path = 
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing, const std::string& cells = "polygons");
 
-/// Draws frame `frame` (negative: counted from the end; none: the most sheared one, of deformable particles the last);
-/// `color`: the number of each deformable particle that colours it, or empty; `path` empty: beside the run.
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color, const std::string& path,
-              Existing existing);
+/// Draws frame `frame` (negative: counted from the end; none: the most sheared one, of deformable particles
+/// the last); `color`: the number of each deformable particle that colours it, or empty; `path` empty: beside
+/// the run.
+void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+              const std::string& path, Existing existing);
 
-/// Draws the figure of a run: strain and stress against time and the Lissajous loop, or what deformable particles do.
+/// Draws the figure of a run: strain and stress against time and the Lissajous loop, or what deformable
+/// particles do.
 void plot(const std::string& run_path, const std::string& path, Existing existing);
 
 }  // namespace supple::command

@@ -34,7 +34,8 @@ constexpr auto exit_codes =
 /// What the options of one call are read into.
 struct Options {
   command::CaseChoice choice;
-  std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, section, physics;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, section,
+              physics;
   std::optional<int> frame;
   bool force = false, json = false;
 
@@ -50,7 +51,8 @@ void add_case(CLI::App& c, Options& o) {
       ->expected(1)
       ->take_all();
   c.add_option_function<std::string>(
-       "--threads", [&o](const std::string& n) { o.choice.threads = command::whole_number("--threads", n, 1, 1024); },
+       "--threads",
+       [&o](const std::string& n) { o.choice.threads = command::whole_number("--threads", n, 1, 1024); },
        "Threads, from 1 to 1024; results do not depend on them")
       ->type_name("N");
 }
@@ -59,7 +61,8 @@ void add_run(CLI::App& c, Options& o) {
 }
 void add_output(CLI::App& c, Options& o, const std::string& help) {
   c.add_option("-o,--output", o.output, help)->type_name("FILE");
-  c.add_flag("--force", o.force, "Replace files that exist; no links, pipes, devices, nor what the command reads");
+  c.add_flag("--force", o.force,
+             "Replace files that exist; no links, pipes, devices, nor what the command reads");
 }
 void add_json(CLI::App& c, Options& o) { c.add_flag("--json", o.json, "Print JSON, for scripts"); }
 
@@ -68,7 +71,8 @@ void add_case_commands(CLI::App& app, Options& o) {
   init->add_option("experiment", o.experiment,
                    "What to run: oscillatory_shear (default), dynamics, jamming, ...; see supple list")
       ->type_name("EXPERIMENT");
-  init->add_option("--physics", o.physics, "With dynamics: deformable, for polygons instead of microgel discs")
+  init->add_option("--physics", o.physics,
+                   "With dynamics: deformable, for polygons instead of microgel discs")
       ->type_name("NAME")
       ->each([](const std::string& name) {
         command::check_choice("--physics", name, {"documented", "particleshear-1.0.2", "deformable"});
@@ -90,15 +94,15 @@ void add_case_commands(CLI::App& app, Options& o) {
 
   CLI::App* list =
       app.add_subcommand("list", "List experiments, laws and every parameter with unit and meaning");
-  list->add_option("what", o.section, "Only this section of the case, e.g. material, or the keys that this experiment uses")
+  list->add_option("what", o.section,
+                   "Only this section of the case, e.g. material, or the keys that this experiment uses")
       ->type_name("SECTION|EXPERIMENT");
   add_json(*list, o);
   list->callback([&] { command::list(o.section, o.format()); });
 }
 
 void add_run_commands(CLI::App& app, Options& o) {
-  CLI::App* show =
-      app.add_subcommand("show", "Print the summary of a run: its results with units");
+  CLI::App* show = app.add_subcommand("show", "Print the summary of a run: its results with units");
   add_run(*show, o);
   add_json(*show, o);
   add_output(*show, o, "File to write; - for the screen (default)");
@@ -122,15 +126,18 @@ void add_run_commands(CLI::App& app, Options& o) {
       })
       ->capture_default_str();
   exporting
-      ->add_option("--cells", o.cells,
-                   "With vtp: polygons (vertices); outlines (with the discs on vertices); triangles (of the outlines: "
-                   "right areas of particles that are not convex)")
+      ->add_option(
+          "--cells", o.cells,
+          "With vtp: polygons (vertices); outlines (with the discs on vertices); triangles (of the outlines: "
+          "right areas of particles that are not convex)")
       ->type_name("CELLS")
       ->each([](const std::string& name) {
         command::check_choice("--cells", name, {"polygons", "outlines", "triangles"});
       })
       ->capture_default_str();
-  add_output(*exporting, o, "File to write; - for standard output (default: the name of the run with .csv, .txt, _state.json, ...)");
+  add_output(*exporting, o,
+             "File to write; - for standard output (default: the name of the run with .csv, .txt, "
+             "_state.json, ...)");
   exporting->callback([&] { command::export_run(o.run, o.to, o.output, o.existing(), o.cells); });
 
   CLI::App* snapshot = app.add_subcommand("snapshot", "Draw the cell: particles and their contacts");
@@ -142,19 +149,26 @@ void add_run_commands(CLI::App& app, Options& o) {
             constexpr int most = std::numeric_limits<int>::max();
             o.frame = command::whole_number("--frame", n, -most, most);
           },
-          "Which frame, from 0; negative: from the end (default: the most sheared; deformable particles: the last)")
+          "Which frame, from 0; negative: from the end (default: the most sheared; deformable particles: the "
+          "last)")
       ->type_name("N");
-  snapshot->add_option("--color", o.color,
-                       "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
-                       "id, those that touch differ)")
+  snapshot
+      ->add_option(
+          "--color", o.color,
+          "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
+          "id, those that touch differ)")
       ->type_name("NAME");
-  add_output(*snapshot, o, "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");
+  add_output(*snapshot, o,
+             "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");
   snapshot->callback([&] { command::snapshot(o.run, o.frame, o.color, o.output, o.existing()); });
 
-  CLI::App* plot = app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");
+  CLI::App* plot =
+      app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");
   add_run(*plot, o);
-  add_output(*plot, o, "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_stress.png, RUN_pressure.png, "
-              "...)");
+  add_output(*plot, o,
+             "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_stress.png, "
+             "RUN_pressure.png, "
+             "...)");
   plot->callback([&] { command::plot(o.run, o.output, o.existing()); });
 }
 
@@ -193,8 +207,10 @@ int obey(int argc, char** argv) {
     std::fprintf(stderr, "supple: %s\n", e.what());
     return e.exit_code();
   } catch (const std::bad_alloc&) {
-    std::fputs("supple: not enough memory for this (the case or file asks for more than there is); make it smaller\n",
-               stderr);
+    std::fputs(
+        "supple: not enough memory for this (the case or file asks for more than there is); make it "
+        "smaller\n",
+        stderr);
     return static_cast<int>(supple::ErrorKind::input);
   } catch (const std::system_error& e) {  // of a file, or of what is printed
     std::fprintf(stderr, "supple: %s\n", e.what());

@@ -14,14 +14,14 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/io/body_pictures.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/progress.hpp"
-#include "supple/io/run_file.hpp"
-#include "supple/io/run_layout.hpp"
-#include "supple/io/run_pictures.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/run/body_pictures.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/run/run_file.hpp"
+#include "supple/io/run/run_layout.hpp"
+#include "supple/io/run/run_pictures.hpp"
+#include "supple/io/state/state_file.hpp"
+#include "supple/io/text/case_file.hpp"
+#include "supple/io/text/progress.hpp"
 
 namespace supple::command {
 
@@ -80,11 +80,13 @@ void check_outputs(const Case& c, const std::string& case_path, const std::strin
   if (run == standard_output)
     throw input_error("-o -", "a run is an HDF5 file, which is not written in one go", "give a name");
   const auto check_file = [&](const std::string& path) {
-    for (const std::string& input : {case_path, c.initial.state, c.initial.packing}) check_not_input(path, input);
+    for (const std::string& input : {case_path, c.initial.state, c.initial.packing})
+      check_not_input(path, input);
     check_can_create(path, existing);
   };
   check_file(run);
-  for (const std::string& input : {c.initial.state, c.initial.packing}) check_not_input(partial_folder(run), input);
+  for (const std::string& input : {c.initial.state, c.initial.packing})
+    check_not_input(partial_folder(run), input);
   if (draws_plot(c)) check_file(plot_path(run, c));
   if (c.output.snapshot) check_file(snapshot_path(run));
   if (c.output.text) check_file(export_path(run, "text"));
@@ -93,7 +95,8 @@ void check_outputs(const Case& c, const std::string& case_path, const std::strin
                      "remove it, choose another name with -o, or give --force");
 }
 
-/// Draws, and adds the name of the picture to `written`. A run that is complete stays so where it has too little for one.
+/// Draws, and adds the name of the picture to `written`. A run that is complete stays so where it has too
+/// little for one.
 template <class Draw>
 void draw_or_warn(const std::string& what, std::vector<std::string>& written, Draw&& draw) {
   try {

@@ -9,18 +9,18 @@
 #include "beside.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
-#include "supple/io/body_pictures.hpp"
-#include "supple/io/body_plot.hpp"
-#include "supple/io/csv.hpp"
-#include "supple/io/packing_file.hpp"
-#include "supple/io/picture_mark.hpp"
-#include "supple/io/published_text.hpp"
-#include "supple/io/run_file.hpp"
-#include "supple/io/run_layout.hpp"
-#include "supple/io/run_merge.hpp"
-#include "supple/io/run_pictures.hpp"
-#include "supple/io/state_file.hpp"
-#include "supple/io/trajectory.hpp"
+#include "supple/io/export/csv.hpp"
+#include "supple/io/export/published_text.hpp"
+#include "supple/io/export/trajectory.hpp"
+#include "supple/io/run/body_pictures.hpp"
+#include "supple/io/run/body_plot.hpp"
+#include "supple/io/run/picture_mark.hpp"
+#include "supple/io/run/run_file.hpp"
+#include "supple/io/run/run_layout.hpp"
+#include "supple/io/run/run_merge.hpp"
+#include "supple/io/run/run_pictures.hpp"
+#include "supple/io/state/packing_file.hpp"
+#include "supple/io/state/state_file.hpp"
 
 namespace supple::command {
 
@@ -28,8 +28,8 @@ namespace {
 
 bool is_of_bodies(const RunFile& run) { return is_deformable(run.resolved_case()); }
 
-/// What pictures show by default: the frame of the largest strain, the first of several; without strain, and of bodies,
-/// the last.
+/// What pictures show by default: the frame of the largest strain, the first of several; without strain, and
+/// of bodies, the last.
 std::int64_t telling_frame(const RunFile& run) {
   if (is_of_bodies(run)) return run.frames() - 1;
   std::int64_t best = 0;
@@ -45,8 +45,9 @@ std::int64_t telling_frame(const RunFile& run) {
 /// The formats of discs hold no polygons.
 void check_discs(const std::string& run_path, const std::string& format) {
   if (!is_of_bodies(RunFile(run_path))) return;
-  throw input_error(run_path + " holds deformable particles", format + " holds discs of microgels",
-                    "export --to packing, or start from the run itself: [initial] state = \"" + run_path + "\"");
+  throw input_error(
+      run_path + " holds deformable particles", format + " holds discs of microgels",
+      "export --to packing, or start from the run itself: [initial] state = \"" + run_path + "\"");
 }
 
 void export_final_packing(const std::string& run_path, const std::string& path, Existing existing) {
@@ -117,14 +118,16 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
   else if (to == "hdf5") save_merged(RunFile(run_path), RunFile(run_path).status(), file, existing);
   else if (to == "vtp")
     export_vtp(RunFile(run_path), file, existing,
-               cells == "triangles" ? Cells::triangles : cells == "outlines" ? Cells::outlines : Cells::polygons);
+               cells == "triangles"  ? Cells::triangles
+               : cells == "outlines" ? Cells::outlines
+                                     : Cells::polygons);
   else if (to == "packing") export_final_packing(run_path, file, existing);
   else if (to == "text") export_published_text(RunFile(run_path), file, existing);
   else write_state_json(read_state(run_path), file, existing);
 }
 
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color, const std::string& path,
-              Existing existing) {
+void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+              const std::string& path, Existing existing) {
   const std::string file = path.empty() ? snapshot_path(run_path) : path;
   draw(run_path, file, existing, [&](const RunFile& run) {
     const std::int64_t count = run.frames();

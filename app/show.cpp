@@ -7,8 +7,8 @@
 #include "beside.hpp"
 #include "commands.hpp"
 #include "supple/core/text_columns.hpp"
-#include "supple/io/run_file.hpp"
-#include "supple/io/uncertainty.hpp"
+#include "supple/draw/chart/uncertainty.hpp"
+#include "supple/io/run/run_file.hpp"
 
 namespace supple::command {
 
@@ -72,7 +72,7 @@ void add_sizes(Json& j, const RunFile& run, const RunInfo& info) {
 
 std::string json_summary(const RunFile& run) {
   const RunInfo info = run.info();
-  Json j{{"run", run.path()},       {"status", run.status()}, {"experiment", run.experiment()},
+  Json j{{"run", run.path()},        {"status", run.status()}, {"experiment", run.experiment()},
          {"physics", run.physics()}, {"seed", run.seed()},     {"version", run.version()}};
   add_sizes(j, run, info);
   j["frames"] = run.frames();
@@ -102,7 +102,8 @@ void add_moduli(std::string& text, const std::vector<RunValue>& results) {
   if (names.empty()) return;
   std::vector<std::vector<std::string>> rows{{"stress", "G'", "G''", "third harmonic"}};
   for (const std::string& name : names)
-    rows.push_back({name, of(std::string(storage) + name), of("loss_modulus_" + name), of("third_harmonic_" + name)});
+    rows.push_back(
+        {name, of(std::string(storage) + name), of("loss_modulus_" + name), of("third_harmonic_" + name)});
   text += "\n";
   for (const auto& row : rows) text += table_row(row, widths_of(rows), "");
 }
@@ -130,9 +131,11 @@ std::string summary_of_discs(const RunFile& run) {
   const RunInfo info = run.info();
   const Vec2 cell = info.units.length * 1e6 * info.box.length;
   text += fmt::format("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
-  text += hang_words("", fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}",
-                                     info.radius.size(), particle_count(info), cell[0], cell[1], run.seed(),
-                                     run.version()), 0);
+  text += hang_words(
+      "",
+      fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}",
+                  info.radius.size(), particle_count(info), cell[0], cell[1], run.seed(), run.version()),
+      0);
   const std::vector<RunValue> results = run.values("results");
   add_moduli(text, results);
   add_values(text, results.empty() ? run.values("constants") : results);
@@ -151,8 +154,10 @@ std::string summary_of_bodies(const RunFile& run) {
   if (count.polygons > 0)
     what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
   text += fmt::format("{}: {}, {}\n", run.path(), run.experiment(), run.status());
-  text += hang_words("", fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}", what, at_end[0], at_end[1],
-                                     run.seed(), run.version()), 0);
+  text += hang_words("",
+                     fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}", what, at_end[0], at_end[1],
+                                 run.seed(), run.version()),
+                     0);
   const std::vector<RunValue> results = run.values("results");
   add_values(text, results.empty() ? run.values("constants") : results);
   return text;

@@ -63,15 +63,18 @@ double seconds_of_ratio(double ratio) {
 }  // namespace
 
 void print_cells() {
-  fmt::print("\n{} dense frictional discs, 500 steps: a thin cell over a square one\n  {:>14}  {:>7}  {:>6}\n", discs,
-             "height / width", "CPU s", "ratio");
+  fmt::print(
+      "\n{} dense frictional discs, 500 steps: a thin cell over a square one\n  {:>14}  {:>7}  {:>6}\n",
+      discs, "height / width", "CPU s", "ratio");
   const double square = seconds_of_cell(1);
   for (const double aspect : {1.0, 10.0, 100.0, 300.0}) {
     const double seconds = aspect == 1 ? square : seconds_of_cell(aspect);
     fmt::print("  {:>14}  {:>7.3f}  {:>6.2f}\n", aspect, seconds, seconds / square);
   }
-  fmt::print("\n{} discs at phi = 0.4, 300 steps: four large ones among them over equal discs\n  {:>14}  {:>7}  {:>6}\n",
-             discs, "large / small", "CPU s", "ratio");
+  fmt::print(
+      "\n{} discs at phi = 0.4, 300 steps: four large ones among them over equal discs\n  {:>14}  {:>7}  "
+      "{:>6}\n",
+      discs, "large / small", "CPU s", "ratio");
   const double equal = seconds_of_ratio(1);
   for (const double ratio : {1.0, 10.0, 20.0, 50.0, 100.0}) {
     const double seconds = ratio == 1 ? equal : seconds_of_ratio(ratio);

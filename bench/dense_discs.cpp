@@ -27,7 +27,8 @@ void number_in_space(State<2>& s, double cell) {
     return morton(static_cast<std::uint32_t>(s.position[i][0] / cell),
                   static_cast<std::uint32_t>(s.position[i][1] / cell));
   };
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
   const State<2> old = s;
   for (std::size_t i = 0; i < order.size(); ++i) {
     s.position[i] = old.position[order[i]];

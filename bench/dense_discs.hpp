@@ -9,12 +9,13 @@ struct DenseSpec {
   int discs = 10000;
   double packing_fraction = 0.84, size_ratio = 1.4;
   double aspect_ratio = 1;  ///< height of the cell over its width
-  double speed = 0.005; ///< root mean square of each velocity component at the start
+  double speed = 0.005;     ///< root mean square of each velocity component at the start
 };
 
 inline constexpr double time_step = 0.02;
 
-/// Linear repulsion with tangential springs as stiff, light damping (so that motion lasts), friction coefficient 0.5.
+/// Linear repulsion with tangential springs as stiff, light damping (so that motion lasts), friction
+/// coefficient 0.5.
 DiscLaw dense_law();
 DiscDynamics dense_dynamics(double relative_skin = default_skin);
 

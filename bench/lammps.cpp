@@ -19,11 +19,12 @@ void write_discs(const std::string& path, const System<2>& system) {
   file.print("Dense discs\n\n{} atoms\n1 atom types\n\n", s.size());
   file.print("0 {:.17g} xlo xhi\n0 {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nAtoms\n\n", system.box.length[0],
              system.box.length[1]);
-  // Density of a sphere of this mass: `fix nve/sphere disc` takes mass as it is and the moment of inertia of a disc.
+  // Density of a sphere of this mass: `fix nve/sphere disc` takes mass as it is and the moment of inertia of
+  // a disc.
   for (int i = 0; i < s.size(); ++i) {
     const double diameter = 2 * s.radius[i], volume = std::numbers::pi / 6 * diameter * diameter * diameter;
-    file.print("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, diameter, s.mass[i] / volume, s.position[i][0],
-               s.position[i][1]);
+    file.print("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, diameter, s.mass[i] / volume,
+               s.position[i][0], s.position[i][1]);
   }
   file.print("\nVelocities\n\n");
   for (int i = 0; i < s.size(); ++i)
@@ -48,13 +49,15 @@ std::string output_of(const std::string& command) {
   char part[4096];
   while (pipe && std::fgets(part, sizeof part, pipe)) text += part;
   if (!pipe || pclose(pipe) != 0)
-    throw file_error("'" + command + "' failed", text, "see whether LAMMPS is installed: scripts/deps --bench");
+    throw file_error("'" + command + "' failed", text,
+                     "see whether LAMMPS is installed: scripts/deps --bench");
   return text;
 }
 
 }  // namespace
 
-void write_lammps_case(const std::string& folder, const System<2>& system, const DiscLaw& law, double time_step) {
+void write_lammps_case(const std::string& folder, const System<2>& system, const DiscLaw& law,
+                       double time_step) {
   write_discs(folder + "/discs.data", system);
   const State<2>& s = system.state;
   // Its damping is per effective mass of the pair; this is the one of the mean mass.
@@ -63,8 +66,8 @@ void write_lammps_case(const std::string& folder, const System<2>& system, const
   file.print("units lj\ndimension 2\natom_style sphere\nboundary p p p\nnewton off\ncomm_modify vel yes\n");
   file.print("read_data {}/discs.data\n", folder);
   file.print("neighbor ${{skin}} bin\nneigh_modify every 1 delay 0 check yes\n");
-  file.print("pair_style gran/hooke/history {} {} {} {} {} 1\npair_coeff * *\n", law.contact.k, law.contact.k_t,
-             law.contact.eta / effective, law.contact.eta_t / effective, law.friction);
+  file.print("pair_style gran/hooke/history {} {} {} {} {} 1\npair_coeff * *\n", law.contact.k,
+             law.contact.k_t, law.contact.eta / effective, law.contact.eta_t / effective, law.friction);
   file.print("timestep {}\nfix motion all nve/sphere disc\nfix plane all enforce2d\n", time_step);
   file.print("thermo 100000000\nrun ${{steps}}\n");
   // What it ends with; after the run, so that it costs no time.
@@ -76,11 +79,13 @@ void write_lammps_case(const std::string& folder, const System<2>& system, const
 }
 
 LammpsRun run_lammps(const std::string& folder, int steps, double skin) {
-  const std::string text = output_of(fmt::format(
-      "OMP_NUM_THREADS=1 lmp -in {0}/in.discs -log {0}/log -var steps {1} -var skin {2} 2>&1", folder, steps, skin));
+  const std::string text = output_of(
+      fmt::format("OMP_NUM_THREADS=1 lmp -in {0}/in.discs -log {0}/log -var steps {1} -var skin {2} 2>&1",
+                  folder, steps, skin));
   const double share = std::min(1.0, 0.01 * number_before(text, "% CPU use"));
-  return {share * number_after(text, "Loop time of"), static_cast<long>(number_after(text, "Neighbor list builds =")),
-          number_after(text, "\nrms speed"), number_after(text, "\ncontacts")};
+  return {share * number_after(text, "Loop time of"),
+          static_cast<long>(number_after(text, "Neighbor list builds =")), number_after(text, "\nrms speed"),
+          number_after(text, "\ncontacts")};
 }
 
 bool lammps_found() { return std::system("command -v lmp >/dev/null 2>&1") == 0; }

@@ -13,8 +13,8 @@ std::string processor_name();
 double bytes_per_nanosecond(std::size_t bytes);
 /// Time of so many divisions, independent and in vectors, per element.
 double nanoseconds_of_divisions(int divisions);
-/// Time of so many additions or multiplications, the two in one where there is such an instruction, per element,
-/// likewise.
+/// Time of so many additions or multiplications, the two in one where there is such an instruction, per
+/// element, likewise.
 double nanoseconds_of_operations(double operations);
 
 }  // namespace supple::bench

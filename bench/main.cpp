@@ -1,4 +1,5 @@
-/// The benchmarks of Supple, as tables. Nothing here passes or fails; docs/performance.md discusses the numbers.
+/// The benchmarks of Supple, as tables. Nothing here passes or fails; docs/performance.md discusses the
+/// numbers.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -43,8 +44,8 @@ StepTime time_steps(System<2> system, int steps) {
     dynamics.advance(system, {}, time_step, 1);
   }
   const double discs = system.state.size();
-  return {1e9 * (cpu_seconds() - start) / (steps * discs), contacts_per_disc(system), system.pairs.size() / discs,
-          rms_speed(system), dynamics.forces().neighbors().builds()};
+  return {1e9 * (cpu_seconds() - start) / (steps * discs), contacts_per_disc(system),
+          system.pairs.size() / discs, rms_speed(system), dynamics.forces().neighbors().builds()};
 }
 
 /// The everyday case: few discs, strongly compressed, all tensors at every step.
@@ -77,10 +78,11 @@ void print_default_run(double machine) {
     best = std::min(best, cpu_seconds() - start);
     rows = recorder.tables.at("stress").rows.size();
   }
-  fmt::print("\nDefault oscillatory run, physics \"particleshear-1.0.2\": 150 discs, tensors at every step\n");
+  fmt::print(
+      "\nDefault oscillatory run, physics \"particleshear-1.0.2\": 150 discs, tensors at every step\n");
   fmt::print("  {} steps of protocol and the preparation: {:.3f} CPU s\n", rows, best);
-  fmt::print("  particleShear 1.0.2 (CPython, measured elsewhere): {} CPU s, {:.0f} times as long", package_seconds,
-             package_seconds / best);
+  fmt::print("  particleShear 1.0.2 (CPython, measured elsewhere): {} CPU s, {:.0f} times as long",
+             package_seconds, package_seconds / best);
   if (machine > 0) fmt::print("; {:.0f} times if it ran here", package_seconds * machine / best);
   fmt::print("\n");
 }
@@ -98,8 +100,8 @@ void print_sizes() {
     StepTime best;
     for (int repeat = 0; repeat < 4; ++repeat) best.keep_best(time_steps(start, steps));
     if (discs == 1000) of_thousand = best.nanoseconds;
-    fmt::print("  {:>7}  {:>8.1f}  {:>13.2f}  {:>9.2f}  {:>12.0f}  {:>6}\n", discs, best.nanoseconds, best.contacts,
-               best.rows, static_cast<double>(steps) / best.builds,
+    fmt::print("  {:>7}  {:>8.1f}  {:>13.2f}  {:>9.2f}  {:>12.0f}  {:>6}\n", discs, best.nanoseconds,
+               best.contacts, best.rows, static_cast<double>(steps) / best.builds,
                of_thousand > 0 ? fmt::format("{:.2f}", best.nanoseconds / of_thousand) : "");
   }
   fmt::print("  150 discs at phi = 1.5 with all stress tensors: {:.1f} ns\n", time_with_tensors(20000));
@@ -146,10 +148,11 @@ Comparison print_comparison() {
     return best;
   }
   best.lammps = 1e9 * peer.seconds / (steps * static_cast<double>(spec.discs));
-  fmt::print("  {:<8}  {:>6.1f}  {:>13.2f}  {:>6}  {:>12.6f}   (best of three skins: {})\n", "LAMMPS", best.lammps,
-             peer.contacts, peer.builds, peer.speed, peer_skin);
+  fmt::print("  {:<8}  {:>6.1f}  {:>13.2f}  {:>6}  {:>12.6f}   (best of three skins: {})\n", "LAMMPS",
+             best.lammps, peer.contacts, peer.builds, peer.speed, peer_skin);
   fmt::print(
-      "  Supple takes {:.2f} of the time. LAMMPS measured elsewhere: {} ns, so this machine is {:.2f} times slower "
+      "  Supple takes {:.2f} of the time. LAMMPS measured elsewhere: {} ns, so this machine is {:.2f} times "
+      "slower "
       "now.\n",
       best.supple.nanoseconds / best.lammps, lammps_published, best.lammps / lammps_published);
   return best;
@@ -159,15 +162,16 @@ Comparison print_comparison() {
 void print_limit(const StepTime& measured) {
   const double contacts = 0.5 * measured.contacts;  // pairs per disc
   const double row = 2 * sizeof(std::int32_t) + 2 * (sizeof(double) + sizeof(ContactState));
-  const double site = 2 * sizeof(Vec2) + 5 * sizeof(double) + sizeof(Mobility)   // state, read and written
-                      + sizeof(Vec2) + sizeof(double)                          // forces
-                      + sizeof(Vec2);                                          // positions at the last build
+  const double site = 2 * sizeof(Vec2) + 5 * sizeof(double) + sizeof(Mobility)  // state, read and written
+                      + sizeof(Vec2) + sizeof(double)                           // forces
+                      + sizeof(Vec2);                                           // positions at the last build
   const double bytes = measured.rows * row + contacts * sizeof(PairForce<2>) + site;
   const double memory = bytes / bytes_per_nanosecond(static_cast<std::size_t>(10000 * bytes));
   const double divider = contacts * nanoseconds_of_divisions(6) + nanoseconds_of_divisions(2);
   fmt::print("\nLimits of this machine for 10 000 discs\n");
   fmt::print(
-      "  memory   {:>6.1f} ns: {:.0f} bytes per disc and step, each met once, at the speed of a copy of that size\n",
+      "  memory   {:>6.1f} ns: {:.0f} bytes per disc and step, each met once, at the speed of a copy of that "
+      "size\n",
       memory, bytes);
   fmt::print("  divider  {:>6.1f} ns: six divisions and roots a contact, two a disc, in vectors\n", divider);
   fmt::print("  measured {:>6.1f} ns: {:.1f} times the sum\n", measured.nanoseconds,

@@ -54,11 +54,11 @@ void print_task(const Task& task, double slower) {
     const JamProgress end = jam(packing, jam_spec(c));
     const double seconds = cpu_seconds() - start;
     sum += seconds / seeds;
-    fmt::print("  {:>4}  {:>4}  {:>12}  {:>11}  {:>7.4f}  {:>8.2e}  {:>7.2f}\n", task.name, seed, end.minimisations,
-               end.evaluations, covered_fraction(packing), end.state.pressure, seconds);
+    fmt::print("  {:>4}  {:>4}  {:>12}  {:>11}  {:>7.4f}  {:>8.2e}  {:>7.2f}\n", task.name, seed,
+               end.minimisations, end.evaluations, covered_fraction(packing), end.state.pressure, seconds);
   }
-  fmt::print("  {:>4}  mean {:.2f} CPU s; published {} CPU s elsewhere: {:.0f} times", task.name, sum, task.published,
-             task.published / sum);
+  fmt::print("  {:>4}  mean {:.2f} CPU s; published {} CPU s elsewhere: {:.0f} times", task.name, sum,
+             task.published, task.published / sum);
   if (slower > 0) fmt::print("; {:.0f} times if it ran here", task.published * slower / sum);
   fmt::print("\n");
 }
@@ -67,8 +67,8 @@ void print_task(const Task& task, double slower) {
 
 void print_jamming(double slower) {
   fmt::print("\nJamming of shells: contact pressure in [P, 2P]\n");
-  fmt::print("  {:>4}  {:>4}  {:>12}  {:>11}  {:>7}  {:>8}  {:>7}\n", "task", "seed", "minimisation", "evaluations",
-             "phi", "P", "CPU s");
+  fmt::print("  {:>4}  {:>4}  {:>12}  {:>11}  {:>7}  {:>8}  {:>7}\n", "task", "seed", "minimisation",
+             "evaluations", "phi", "P", "CPU s");
   for (const Task& task : tasks) print_task(task, slower);
 }
 

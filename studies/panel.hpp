@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "supple/draw/canvas/canvas.hpp"
+#include "supple/draw/scene/particle_colors.hpp"
+#include "supple/draw/scene/polygon_outline.hpp"
 #include "supple/experiment/recorder.hpp"
-#include "supple/io/canvas.hpp"
-#include "supple/io/particle_colors.hpp"
-#include "supple/io/polygon_outline.hpp"
 #include "supple/observe/body_shapes.hpp"
 
 namespace supple::study {

@@ -11,11 +11,11 @@
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "supple/draw/canvas/color_scale.hpp"
+#include "supple/draw/canvas/ticks.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/geometry/closest_point.hpp"
 #include "supple/geometry/inside.hpp"
-#include "supple/io/color_scale.hpp"
-#include "supple/io/ticks.hpp"
 #include "supple/model/polygons.hpp"
 
 namespace {
@@ -176,11 +176,14 @@ std::vector<double> energies(Map& map, Panel panel, const Window& window) {
   return values;
 }
 
-/// Lines of equal energy, cell by cell [marching squares]: where the gradient is discontinuous they have a corner.
+/// Lines of equal energy, cell by cell [marching squares]: where the gradient is discontinuous they have a
+/// corner.
 void draw_contours(Canvas& canvas, const std::vector<double>& values, double highest, Point corner,
                    double cell) {
   constexpr int lines = 10;
-  const auto value = [&](int row, int column) { return values[static_cast<std::size_t>(row) * cells + column]; };
+  const auto value = [&](int row, int column) {
+    return values[static_cast<std::size_t>(row) * cells + column];
+  };
   for (int line = 1; line < lines; ++line) {
     const double level = highest * line / lines;
     for (int row = 0; row + 1 < cells; ++row)
@@ -193,8 +196,8 @@ void draw_contours(Canvas& canvas, const std::vector<double>& values, double hig
           const double va = value(a[0], a[1]), vb = value(b[0], b[1]);
           if (!std::isfinite(va) || !std::isfinite(vb) || (va < level) == (vb < level)) continue;
           const double share = (level - va) / (vb - va);
-          cuts.push_back(corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]),
-                                               a[0] + 0.5 + share * (b[0] - a[0])});
+          cuts.push_back(
+              corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]), a[0] + 0.5 + share * (b[0] - a[0])});
         }
         if (cuts.size() == 2) canvas.line(cuts[0], cuts[1], {.width = 0.5});
       }

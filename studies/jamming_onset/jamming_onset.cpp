@@ -1,8 +1,8 @@
 /// Pressure against packing fraction over ensembles of packings [MacKeith 2025, figure 9.13].
-/// jamming_onset CASES OUT reads CASES/*.toml, writes OUT/jamming_onset.png and prints the tables of the README; each
-/// packing is kept in OUT/packings, and what is there is not made again. jamming_onset CASES OUT --collect makes no
-/// packings. jamming_onset CASES --check looks at smooth discs alone, and fails if they jam where or as they should
-/// not.
+/// jamming_onset CASES OUT reads CASES/*.toml, writes OUT/jamming_onset.png and prints the tables of the
+/// README; each packing is kept in OUT/packings, and what is there is not made again. jamming_onset CASES OUT
+/// --collect makes no packings. jamming_onset CASES --check looks at smooth discs alone, and fails if they
+/// jam where or as they should not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "pressure_curve.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/pressure_plot.hpp"
+#include "supple/draw/chart/pressure_plot.hpp"
+#include "supple/io/text/case_file.hpp"
 
 namespace {
 
@@ -27,7 +27,8 @@ struct Range {
 };
 constexpr Range near{2.4e-4, 4.1e-3}, middle{0.9e-3, 0.0105}, far{2.9e-3, 0.0305};
 constexpr const char* heading =
-    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.004 | 0.001-0.01 | "
+    "| | N | packings | first jam | mean onset | zero of the line | slope | exponent, 0.0003-0.004 | "
+    "0.001-0.01 | "
     "0.003-0.03 | "
     "unconverged |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 
@@ -61,7 +62,8 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
 class Ensemble {
  public:
   /// One thread for each processor: packings are independent.
-  Ensemble(std::string name, const Store& store, const Case& c, int seeds, double highest, Area area, Protocol protocol)
+  Ensemble(std::string name, const Store& store, const Case& c, int seeds, double highest, Area area,
+           Protocol protocol)
       : name_(std::move(name)), curves_(static_cast<std::size_t>(seeds)) {
     std::atomic<int> next{0};
     {
@@ -89,7 +91,8 @@ class Ensemble {
     return sum;
   }
 
-  /// Zero of the straight line through the mean pressure over packing fractions at which every packing is jammed.
+  /// Zero of the straight line through the mean pressure over packing fractions at which every packing is
+  /// jammed.
   double zero_over_fraction() const {
     double low = 0, high = 1;
     for (const PressureCurve& c : curves_) {
@@ -105,7 +108,8 @@ class Ensemble {
     const Line line = fit_line(x, y);
     return -line.constant / line.slope;
   }
-  /// Zero of the straight line through the mean pressure against mean excess near the onset, as a packing fraction.
+  /// Zero of the straight line through the mean pressure against mean excess near the onset, as a packing
+  /// fraction.
   Estimate zero() const {
     return jackknife([this](std::size_t without) {
       const auto [x, y] = scaled(near, without);
@@ -129,7 +133,8 @@ class Ensemble {
     });
   }
   /// Mean excess over the own onset and mean pressure, for excesses in a range.
-  std::pair<std::vector<double>, std::vector<double>> scaled(const Range& range, std::size_t without = SIZE_MAX) const {
+  std::pair<std::vector<double>, std::vector<double>> scaled(const Range& range,
+                                                             std::size_t without = SIZE_MAX) const {
     std::vector<double> x, y;
     for (std::size_t k = 1; k < curves_.front().phi.size(); ++k) {
       double excess = 0, pressure = 0;
@@ -187,8 +192,9 @@ std::string show(const Estimate& e, int digits) {
 
 void print_row(const Ensemble& e, int bodies) {
   fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", e.name(), bodies, e.size(),
-             show(e.first(), 4), show(e.onset(), 4), show(e.zero(), 4), show(e.slope(), 3), show(e.exponent(near), 3),
-             show(e.exponent(middle), 3), show(e.exponent(far), 3), e.unconverged());
+             show(e.first(), 4), show(e.onset(), 4), show(e.zero(), 4), show(e.slope(), 3),
+             show(e.exponent(near), 3), show(e.exponent(middle), 3), show(e.exponent(far), 3),
+             e.unconverged());
   std::fflush(stdout);
 }
 
@@ -204,8 +210,8 @@ struct Scan {
   std::vector<double> ratio;
   std::vector<Estimate> onset;
 
-  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; the error comes from
-  /// theirs.
+  /// The ratio at which the mean onset is `wanted`, between the two neighbours that enclose it; the error
+  /// comes from theirs.
   Estimate ratio_at(double wanted) const {
     for (std::size_t k = 1; k < ratio.size(); ++k) {
       const Estimate &low = onset[k - 1], &high = onset[k];
@@ -227,14 +233,16 @@ void scan(const Store& store, Case c, const Ensemble& main, double published) {
     if (e.size() < 2) return;
     all.ratio.push_back(c.bodies.diameter_ratio);
     all.onset.push_back(e.onset());
-    fmt::print("| {} | {} | {} | {} | {} |\n", main.name(), c.bodies.diameter_ratio, e.size(), show(e.first(), 4),
-               show(e.onset(), 4));
+    fmt::print("| {} | {} | {} | {} | {} |\n", main.name(), c.bodies.diameter_ratio, e.size(),
+               show(e.first(), 4), show(e.onset(), 4));
     std::fflush(stdout);
   };
   for (const double ratio : {0.9, 1.0, 1.1, 1.25, 1.5, 2.0}) {
     c.bodies.diameter_ratio = ratio;
     if (ratio == 1) add(main);
-    else add({fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered, Protocol::steps});
+    else
+      add({fmt::format("{}-{}", main.name(), ratio), store, c, scan_packings, 0.01, Area::covered,
+           Protocol::steps});
   }
   fmt::print("\n{} jam at the published {} at σ/edge = {}\n\n", main.name(), published,
              show(all.ratio_at(published), 2));
@@ -243,8 +251,8 @@ void scan(const Store& store, Case c, const Ensemble& main, double published) {
 int run(const std::string& cases, const std::string& out, Store::Missing missing) {
   const Store store(out + "/packings", missing);
   std::vector<PressureSeries> fractions, scaled;
-  const auto study = [&](const std::string& name, const std::string& label, int seeds, Area area, Protocol protocol,
-                         double published) {
+  const auto study = [&](const std::string& name, const std::string& label, int seeds, Area area,
+                         Protocol protocol, double published) {
     const Case c = read_case(fmt::format("{}/{}.toml", cases, name));
     const Ensemble e(name, store, c, seeds, highest_excess, area, protocol);
     if (e.size() < 2) return;
@@ -272,7 +280,8 @@ int check(const std::string& cases) {
   fmt::print("{}", heading);
   print_row(e, c.bodies.count);
   const double exponent = e.exponent({lowest_excess, highest_excess}).value, zero = e.zero_over_fraction();
-  const bool right = e.size() == disc_packings && std::abs(zero - 0.836) < 0.004 && std::abs(exponent - 1) < 0.05;
+  const bool right =
+      e.size() == disc_packings && std::abs(zero - 0.836) < 0.004 && std::abs(exponent - 1) < 0.05;
   fmt::print("line over packing fraction: zero {:.4f}; exponent {:.3f}; {}\n", zero, exponent,
              right ? "as published" : "NOT as published: onset 0.836 +- 0.004, exponent 1 +- 0.05");
   return right ? 0 : 1;

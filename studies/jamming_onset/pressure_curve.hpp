@@ -18,10 +18,10 @@ namespace supple {
 /// Which packing fraction counts: the sum of all areas, as is usual for discs, or what is covered.
 enum class Area { sum, covered };
 
-/// How a packing is made. root: the search of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and back and
-/// by a quarter where P exceeds P_t, until a step below 1e-3 does; a packing that comes apart within 0.01 of there is
-/// sought anew. Rough particles hold by their corners: many packings have no state of low pressure, but break on the
-/// way down to it.
+/// How a packing is made. root: the search of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and
+/// back and by a quarter where P exceeds P_t, until a step below 1e-3 does; a packing that comes apart within
+/// 0.01 of there is sought anew. Rough particles hold by their corners: many packings have no state of low
+/// pressure, but break on the way down to it.
 enum class Protocol { root, steps };
 
 /// One packing from its onset upward.
@@ -46,7 +46,8 @@ struct PressureCurve {
 /// Makes a curve.
 class Measurement {
  public:
-  Measurement(Case c, int seed, Area area, Protocol protocol) : c_(std::move(c)), area_(area), protocol_(protocol) {
+  Measurement(Case c, int seed, Area area, Protocol protocol)
+      : c_(std::move(c)), area_(area), protocol_(protocol) {
     c_.general.seed = seed;
   }
 
@@ -61,7 +62,8 @@ class Measurement {
         const double excess = list[k];
         scale_to(packing, base_ + excess);
         curve_.unconverged += !relax(packing).converged;
-        if (protocol_ == Protocol::steps && excess < 0.0101 && observe(packing).pressure < c_.jamming.pressure) {
+        if (protocol_ == Protocol::steps && excess < 0.0101 &&
+            observe(packing).pressure < c_.jamming.pressure) {
           start_by_steps(packing);
           k = SIZE_MAX;  // from the lowest again
         } else {
@@ -112,7 +114,8 @@ class Measurement {
 
   /// Whether the packing has the pressure P_t. Of one that loses its energy no more is asked.
   bool resists(Packing& packing) const {
-    constexpr double modulus = 0.2;  // dP/d(phi), roughly; a tenth of the energy of P_t has a third of its pressure
+    constexpr double modulus =
+        0.2;  // dP/d(phi), roughly; a tenth of the energy of P_t has a third of its pressure
     const double p = c_.jamming.pressure;
     const double little = 0.1 * p * p / (2 * modulus) * packing.system.box.volume() * packing.pressure_unit;
     packing.field->invalidate();
@@ -159,11 +162,13 @@ class Store {
                     Protocol protocol) const {
     const std::string path = fmt::format("{}/{}-{}.txt", folder_, name, seed);
     if (std::ifstream in(path); !folder_.empty() && in) return read(in);
-    if (missing_ == Missing::leave_out) return {0, 0, {}, {}, 0, fmt::format("packing {} was not made", seed)};
+    if (missing_ == Missing::leave_out)
+      return {0, 0, {}, {}, 0, fmt::format("packing {} was not made", seed)};
     const PressureCurve curve = Measurement(c, seed, area, protocol).run(highest);
     if (folder_.empty() || !curve.failure.empty()) return curve;
     std::string text = fmt::format("{} {}\n", curve.unconverged, curve.first);
-    for (std::size_t k = 0; k < curve.phi.size(); ++k) text += fmt::format("{} {}\n", curve.phi[k], curve.pressure[k]);
+    for (std::size_t k = 0; k < curve.phi.size(); ++k)
+      text += fmt::format("{} {}\n", curve.phi[k], curve.pressure[k]);
     std::ofstream(path) << text;
     return curve;
   }

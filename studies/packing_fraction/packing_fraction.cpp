@@ -1,14 +1,15 @@
-/// The packing fraction of a small rough packing by formula and by Monte Carlo [MacKeith 2025, Table 9.2, figure 9.12]:
-/// packing_fraction CASE OUT writes OUT/packing_fraction.png and prints the tables of the README.
+/// The packing fraction of a small rough packing by formula and by Monte Carlo [MacKeith 2025, Table 9.2,
+/// figure 9.12]: packing_fraction CASE OUT writes OUT/packing_fraction.png and prints the tables of the
+/// README.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "supple/draw/canvas/canvas.hpp"
 #include "supple/experiment/jam.hpp"
-#include "supple/io/canvas.hpp"
-#include "supple/io/case_file.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "supple/observe/packing_fraction.hpp"
 
 namespace {
@@ -37,7 +38,8 @@ class Panel {
   template <class Draw>
   void for_each(const Draw& draw) const {
     canvas_.clipped(frame_, ClipTo::inside, [&] {
-      for (const BodyImage& image : images_in({{0, 0}, box_.length}, shapes_, box_)) draw(image.body, ring(image));
+      for (const BodyImage& image : images_in({{0, 0}, box_.length}, shapes_, box_))
+        draw(image.body, ring(image));
     });
   }
   /// draw(disc, radius, disc, radius) for every two vertices of neighbours in a ring, or of different bodies.
@@ -101,7 +103,9 @@ void draw(const Packing& packing, const std::string& path) {
     });
     p.finish();
   };
-  const auto color = [](int body) { return line_palette[static_cast<std::size_t>(body) % line_palette.size()]; };
+  const auto color = [](int body) {
+    return line_palette[static_cast<std::size_t>(body) % line_palette.size()];
+  };
 
   const Panel whole = panel(fmt::format("(a) covered: {:.4f}", sum.total));
   whole.for_each([&](int body, const std::vector<Point>& ring) {
@@ -112,19 +116,22 @@ void draw(const Packing& packing, const std::string& path) {
   outlines(whole);
 
   const Panel polygons = panel(fmt::format("(b) polygons: +{:.4f}", sum.polygons));
-  polygons.for_each([&](int, const std::vector<Point>& ring) { canvas.polygon(ring, {.fill = line_palette[0]}); });
+  polygons.for_each(
+      [&](int, const std::vector<Point>& ring) { canvas.polygon(ring, {.fill = line_palette[0]}); });
   outlines(polygons);
 
   const Panel vertices = panel(fmt::format("(c) vertices: +{:.4f}", sum.vertices));
   vertices.for_each([&](int body, const std::vector<Point>& ring) {
-    for (const Point& x : ring) canvas.circle(x, vertices.radius(body), {.fill = mix(line_palette[1], white, 0.5)});
+    for (const Point& x : ring)
+      canvas.circle(x, vertices.radius(body), {.fill = mix(line_palette[1], white, 0.5)});
   });
   outlines(vertices);
 
   const Panel sectors = panel(fmt::format("(d) sectors: \u2212{:.4f}", sum.sectors));
   sectors.for_each([&](int body, const std::vector<Point>& ring) {
     canvas.clipped(ring, ClipTo::inside, [&] {
-      for (const Point& x : ring) canvas.circle(x, sectors.radius(body), {.fill = mix(line_palette[2], white, 0.3)});
+      for (const Point& x : ring)
+        canvas.circle(x, sectors.radius(body), {.fill = mix(line_palette[2], white, 0.3)});
     });
   });
   outlines(sectors);
@@ -181,16 +188,16 @@ int run(const std::string& path, const std::string& out) {
     const double z = (sum.total - mc.value) / mc.error;
     right += z * z;
     wrong += std::pow((1.001 * sum.total - mc.value) / mc.error, 2);
-    fmt::print("| {} | {:.6f} | {} | {:.6f} | {:.5f} ± {:.5f} | {:.2f} |\n", seed, sum.total, sum.doubts, exact,
-               mc.value, mc.error, z);
+    fmt::print("| {} | {:.6f} | {} | {:.6f} | {:.5f} ± {:.5f} | {:.2f} |\n", seed, sum.total, sum.doubts,
+               exact, mc.value, mc.error, z);
     std::fflush(stdout);
     if (seed > 1) continue;
     const MonteCarloFraction few = monte_carlo_fraction(packing.system, packing.outline, published_points, 1);
     fmt::print("| 1, fewer points | {:.4f} | | | {:.4f} ± {:.4f} | |\n", sum.total, few.value, few.error);
     draw(packing, out + "/packing_fraction.png");
   }
-  fmt::print("\nchi-squared {:.1f} of {}: p = {:.3f}; with a formula larger by 0.1 %: {:.0f}, p = {:.1e}\n", right,
-             packings, survival(right, packings / 2), wrong, survival(wrong, packings / 2));
+  fmt::print("\nchi-squared {:.1f} of {}: p = {:.3f}; with a formula larger by 0.1 %: {:.0f}, p = {:.1e}\n",
+             right, packings, survival(right, packings / 2), wrong, survival(wrong, packings / 2));
   return 0;
 }
 

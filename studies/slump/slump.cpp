@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "../panel.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/run_file.hpp"
 
 namespace {
 

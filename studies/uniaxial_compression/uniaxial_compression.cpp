@@ -11,7 +11,7 @@
 #include "../panel.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
-#include "supple/io/case_file.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "supple/model/bodies.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 /// Bad input is refused with a message, the right exit code, and nothing written or overwritten.
 #include <gmock/gmock.h>
 
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 #include "tests/paths.hpp"
 
@@ -56,8 +56,8 @@ TEST_F(BadInput, RateThatIsNoExpression) {
 
 TEST_F(BadInput, RatesThatAreNotFiniteNameTheFormulaAndTheTimeBeforeAnythingRuns) {
   for (const std::string rate : {"1/t", "1/0", "sqrt(t-1)"}) {
-    const Outcome run =
-        supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=" + rate + "'");
+    const Outcome run = supple(
+        "run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=" + rate + "'");
     EXPECT_EQ(run.code, 2) << run.err;
     EXPECT_THAT(run.err, HasSubstr("[shear] rate \"" + rate + "\" is "));
     EXPECT_THAT(run.err, HasSubstr("at t = 0;"));
@@ -81,8 +81,9 @@ TEST_F(BadInput, LawsThatDivergeAttractOrAreNotFinite) {
 }
 
 TEST_F(BadInput, ARunThatBlowsUpStopsAndKeepsWhatItHad) {
-  const Outcome run = supple("run " SUPPLE_SOURCE_DIR
-                             "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=min(exp(10*(t-0.5)^3*1e6), 1e300)'");
+  const Outcome run =
+      supple("run " SUPPLE_SOURCE_DIR
+             "/examples/dynamics_pair.toml -o r.h5 --set 'shear.rate=min(exp(10*(t-0.5)^3*1e6), 1e300)'");
   EXPECT_EQ(run.code, 3) << run.err;
   EXPECT_THAT(run.err, testing::ContainsRegex("site [01] left a million cells behind"));
   EXPECT_THAT(run.err, HasSubstr("what was computed is in r.h5"));

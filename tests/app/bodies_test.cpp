@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 #include "tests/paths.hpp"
 
@@ -21,7 +21,8 @@ class Bodies : public CommandTest {
   void write_jamming(const std::string& output = "plot = false\nsnapshot = false\n") {
     write("jam.toml",
           "experiment = \"jamming\"\n[bodies]\nN = 6\nvertices = 8\n[jamming]\npacking_fraction = 0.5\n"
-          "pressure = 1e-4\nstep = 0.01\n[output]\n" + output);
+          "pressure = 1e-4\nstep = 0.01\n[output]\n" +
+              output);
   }
   void make_jammed() {
     write_jamming();
@@ -84,7 +85,8 @@ TEST_F(Bodies, ExportsAreReadByOthers) {
   EXPECT_THAT(csv, testing::StartsWith("packing_fraction,pressure ["));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), RunFile(path("jam.h5").string()).rows("packing") + 1);
   const std::string read = "/usr/bin/python3 '" SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py' '" +
-                           path("jam_frames/frame0000000.vtp").string() + "' >'" + path("mesh.json").string() + "'";
+                           path("jam_frames/frame0000000.vtp").string() + "' >'" +
+                           path("mesh.json").string() + "'";
   ASSERT_EQ(std::system(read.c_str()), 0);
   EXPECT_EQ(json::parse(read_text(path("mesh.json")))["polygons"].size(), 6u);
   EXPECT_THAT(read_text(path("jam.pvd")), HasSubstr("jam_frames/frame0000000.vtp"));
@@ -157,7 +159,8 @@ TEST_F(Bodies, APackingOfARunStartsTheSameAgain) {
 TEST_F(Bodies, StatesOfOtherThingsAreRefused) {
   make_jammed();
   write("discs.toml",
-        "experiment = \"dynamics\"\nphysics = \"documented\"\n[initial]\nstate = \"jam.h5\"\n[time]\nsteps = 5\n");
+        "experiment = \"dynamics\"\nphysics = \"documented\"\n[initial]\nstate = \"jam.h5\"\n[time]\nsteps = "
+        "5\n");
   const Outcome discs = supple("run discs.toml");
   EXPECT_EQ(discs.code, 2);
   EXPECT_THAT(discs.err, HasSubstr("set physics = \"deformable\""));
@@ -207,9 +210,10 @@ TEST_F(Bodies, RandomParticlesThatDoNotFitAreRefused) {
 }
 
 TEST_F(Bodies, MotionsAreDrawn) {
-  write("m.toml", "experiment = \"dynamics\"\nphysics = \"deformable\"\n[bodies]\nN = 6\nvertices = 8\n[jamming]\n"
-                  "packing_fraction = 0.4\n[motion]\nkinetic_energy = 1e-4\n[time]\nsteps = 50\n[output]\nframes = 5\n"
-                  "images = 2\n");
+  write("m.toml",
+        "experiment = \"dynamics\"\nphysics = \"deformable\"\n[bodies]\nN = 6\nvertices = 8\n[jamming]\n"
+        "packing_fraction = 0.4\n[motion]\nkinetic_energy = 1e-4\n[time]\nsteps = 50\n[output]\nframes = 5\n"
+        "images = 2\n");
   const Outcome run = supple("run m.toml");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(exists("m_energy.png") && exists("m_cell.png") && exists("m_images/image0000001.png"));

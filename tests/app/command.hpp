@@ -42,13 +42,16 @@ class CommandTest : public testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  /// `supple ARGUMENTS` with the test's folder as the current one. Given a `device`, stdout goes there, unread.
+  /// `supple ARGUMENTS` with the test's folder as the current one. Given a `device`, stdout goes there,
+  /// unread.
   Outcome supple(const std::string& arguments, const std::string& device = "") {
-    const std::string out = device.empty() ? (folder_ / "out").string() : device, err = (folder_ / "err").string();
+    const std::string out = device.empty() ? (folder_ / "out").string() : device,
+                      err = (folder_ / "err").string();
     const std::string line = "cd '" + path("").string() + "' && " + prefix_ + "'" SUPPLE_COMMAND "' " +
                              arguments + " >'" + out + "' 2>'" + err + "'";
     const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, device.empty() ? read_text(out) : "", read_text(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, device.empty() ? read_text(out) : "",
+            read_text(err)};
   }
   std::filesystem::path path(const std::string& name) const { return folder_ / "work" / name; }
   void write(const std::string& name, const std::string& text) { std::ofstream(path(name)) << text; }

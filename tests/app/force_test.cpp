@@ -26,13 +26,16 @@ TEST_F(Force, ReplacesNoLinkPipeOrDevice) {
   ASSERT_EQ(mkfifo(path("pipe.h5").c_str(), 0600), 0);
   fs::create_directory(path("folder.h5"));
   const bool device = mknod(path("device.h5").c_str(), S_IFCHR | 0600, makedev(1, 3)) == 0;  // root alone may
-  std::vector<std::pair<std::string, std::string>> cases{{"link.h5", "it is a link"}, {"dangling.h5", "it is a link"},
-                                                         {"pipe.h5", "it is a pipe"}, {"folder.h5", "it is a folder"}};
+  std::vector<std::pair<std::string, std::string>> cases{{"link.h5", "it is a link"},
+                                                         {"dangling.h5", "it is a link"},
+                                                         {"pipe.h5", "it is a pipe"},
+                                                         {"folder.h5", "it is a folder"}};
   if (device) cases.emplace_back("device.h5", "it is a device");
   for (const auto& [name, what] : cases)
     for (const std::string command : {"run small.toml", "export run.h5", "snapshot run.h5", "plot run.h5",
                                       "export run.h5 --to state", "init", "show run.h5"}) {
-      const std::string ending = command.starts_with("snapshot") || command.starts_with("plot") ? ".png" : ".h5";
+      const std::string ending =
+          command.starts_with("snapshot") || command.starts_with("plot") ? ".png" : ".h5";
       const std::string as = fs::path(name).replace_extension(ending).string();
       if (!fs::exists(fs::symlink_status(path(as)))) fs::rename(path(name), path(as));
       const Outcome o = supple(command + " --force -o " + as);
@@ -52,9 +55,10 @@ TEST_F(Force, NeverReplacesWhatTheCommandReads) {
   ASSERT_EQ(supple("run small.toml").code, 0);
   const std::string run = read_text(path("small.h5"));
   fs::create_symlink(path("small.h5"), path("other.h5"));
-  for (const std::string command : {"run small.toml --set initial.state=small.h5", "run small.toml -o ./small.h5 --set initial.state=other.h5",
-                                    "export small.h5 -o ./small.h5", "export other.h5 --to xyz -o small.h5",
-                                    "show small.h5 -o small.h5"}) {
+  for (const std::string command :
+       {"run small.toml --set initial.state=small.h5",
+        "run small.toml -o ./small.h5 --set initial.state=other.h5", "export small.h5 -o ./small.h5",
+        "export other.h5 --to xyz -o small.h5", "show small.h5 -o small.h5"}) {
     const Outcome o = supple(command + " --force");
     EXPECT_EQ(o.code, 4) << command;
     EXPECT_THAT(o.err, HasSubstr("it is the file that is read")) << command;
@@ -135,7 +139,8 @@ TEST_F(StandardOutput, TakesWhatTheFileWouldHold) {
     EXPECT_EQ(o.out, read_text(path("file"))) << to;
   }
   ASSERT_EQ(supple("snapshot small.h5 -o file.png").code, 0);
-  EXPECT_THAT(supple("snapshot small.h5 -o -").out, testing::StartsWith(read_text(path("file.png")).substr(0, 1000)));
+  EXPECT_THAT(supple("snapshot small.h5 -o -").out,
+              testing::StartsWith(read_text(path("file.png")).substr(0, 1000)));
   EXPECT_EQ(supple("show small.h5 -o -").out, supple("show small.h5").out);
   ASSERT_EQ(supple("show small.h5 -o summary").code, 0);
   EXPECT_EQ(supple("show small.h5").out, read_text(path("summary")));
@@ -153,9 +158,10 @@ TEST_F(StandardOutput, IsRefusedWhereFilesAndFoldersAreWritten) {
 TEST_F(StandardOutput, ThatIsFullIsFileTrouble) {
   write_small_case();
   ASSERT_EQ(supple("run small.toml").code, 0);
-  for (const std::string command : {"export small.h5 -o -", "export small.h5 --to state -o -", "show small.h5",
-                                    "show small.h5 --json", "snapshot small.h5 -o -", "plot small.h5 -o -",
-                                    "check small.toml", "list", "init -o -", "--help", "run --help", "--version"}) {
+  for (const std::string command :
+       {"export small.h5 -o -", "export small.h5 --to state -o -", "show small.h5", "show small.h5 --json",
+        "snapshot small.h5 -o -", "plot small.h5 -o -", "check small.toml", "list", "init -o -", "--help",
+        "run --help", "--version"}) {
     const Outcome o = supple(command, "/dev/full");
     EXPECT_EQ(o.code, 4) << command << "\n" << o.err;
     EXPECT_THAT(o.err, HasSubstr("No space left on device")) << command;
@@ -167,8 +173,10 @@ class Pictures : public CommandTest {};
 /// A figure of one row, a run without frames or rows: it is the picture that is missing, not the run.
 TEST_F(Pictures, OfACompleteRunWarn) {
   for (const std::string steps : {"0", "1"}) {
-    const Outcome o = supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml --force --set output.plot=true --set "
-                             "output.snapshot=true --set output.images=2 --set time.steps=" + steps);
+    const Outcome o = supple("run " SUPPLE_SOURCE_DIR
+                             "/examples/dynamics_pair.toml --force --set output.plot=true --set "
+                             "output.snapshot=true --set output.images=2 --set time.steps=" +
+                             steps);
     EXPECT_EQ(o.code, 0) << o.err;
     if (steps == "0") {
       EXPECT_THAT(o.err, HasSubstr("warning: dynamics_pair_stress.png not drawn"));

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 #include "tests/paths.hpp"
 
@@ -20,7 +20,8 @@ class Run : public CommandTest {
   json results(const std::string& run) {
     return json::parse(supple("show " + run + " --json").out)["results"];
   }
-  /// Runs small.toml with these settings, stderr in "log", and sends the signals when that says `phase`: the exit code.
+  /// Runs small.toml with these settings, stderr in "log", and sends the signals when that says `phase`: the
+  /// exit code.
   int code_after_signals(const std::vector<std::string>& settings, const std::string& phase,
                          const std::vector<int>& signals) {
     const pid_t child = fork();
@@ -115,7 +116,8 @@ TEST_F(Run, TheFinalStateStartsAnotherRun) {
 /// Ctrl-C, a polite kill, and a terminal that closes (which the shell and the kernel both tell).
 class Stops : public Run, public testing::WithParamInterface<std::vector<int>> {};
 INSTANTIATE_TEST_SUITE_P(Run, Stops,
-                         testing::Values(std::vector{SIGINT}, std::vector{SIGTERM}, std::vector{SIGHUP, SIGHUP}));
+                         testing::Values(std::vector{SIGINT}, std::vector{SIGTERM},
+                                         std::vector{SIGHUP, SIGHUP}));
 
 TEST_P(Stops, ASignalKeepsWhatWasComputed) {
   write_small_case();
@@ -141,14 +143,16 @@ TEST_F(Run, ARunFromAPreparedSuspensionIsTheRunThatPreparesIt) {
   const Outcome continued = supple("run small.toml --set initial.state=rest.h5 -o again.h5");
   ASSERT_EQ(continued.code, 0) << continued.err;
   const RunFile a(path("small.h5").string()), b(path("again.h5").string());
-  for (const char* column : {"t", "strain", "shear_stress_plates", "shear_stress_virial", "shear_stress_internal"})
+  for (const char* column :
+       {"t", "strain", "shear_stress_plates", "shear_stress_virial", "shear_stress_internal"})
     EXPECT_EQ(a.column("stress", column), b.column("stress", column)) << column;
-  EXPECT_EQ(supple("run small.toml --set experiment=preparation --set initial.state=rest.h5 -o no.h5").code, 2);
+  EXPECT_EQ(supple("run small.toml --set experiment=preparation --set initial.state=rest.h5 -o no.h5").code,
+            2);
 }
 
 TEST_F(Run, ExamplesAreSound) {
-  for (const std::string name :
-       {"microgel", "preparation", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump"}) {
+  for (const std::string name : {"microgel", "preparation", "dynamics_pair", "jamming", "compression",
+                                 "uniaxial_compression", "slump"}) {
     const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
   }

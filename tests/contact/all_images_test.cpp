@@ -81,8 +81,8 @@ Evaluation<2> disc_forces(System<2>& system) {
 }
 
 std::string name(const System<2>& system) {
-  return "cell " + std::to_string(system.box.length[0]) + " x " + std::to_string(system.box.length[1]) + ", strain " +
-         std::to_string(system.box.strain);
+  return "cell " + std::to_string(system.box.length[0]) + " x " + std::to_string(system.box.length[1]) +
+         ", strain " + std::to_string(system.box.strain);
 }
 
 TEST(AllImages, DiscsInCellsOfTwoToSixDiameters) {
@@ -110,7 +110,8 @@ TEST(AllImages, RecordsOfDiscs) {
       std::vector<std::pair<double, double>> got, right;
       for (const auto& r : detect_discs(system)) got.emplace_back(r.gap, std::abs(r.normal[0]));
       for (const auto& r : detect_discs(open)) {
-        // Pairs of which both are images stand for a pair of the first ones; those of one are counted from both ends.
+        // Pairs of which both are images stand for a pair of the first ones; those of one are counted from
+        // both ends.
         const bool first = r.site[0] < system.state.size(), second = r.site[1] < system.state.size();
         if (first) right.emplace_back(r.gap, std::abs(r.normal[0]));
         if (first && second) right.emplace_back(r.gap, std::abs(r.normal[0]));
@@ -187,17 +188,20 @@ System<2> moving_discs(double width) {
 }
 
 TEST(AllImages, RoughDiscsThatMoveInASmallCell) {
-  for (const double width : {4.01, 4.12, 4.36, 4.9}) expect_all_images_on_the_way<RoughContacts>(moving_discs(width));
+  for (const double width : {4.01, 4.12, 4.36, 4.9})
+    expect_all_images_on_the_way<RoughContacts>(moving_discs(width));
 }
 TEST(AllImages, SmoothDiscsThatMoveInASmallCell) {
-  for (const double width : {4.01, 4.12, 4.36, 4.9}) expect_all_images_on_the_way<SmoothContacts>(moving_discs(width));
+  for (const double width : {4.01, 4.12, 4.36, 4.9})
+    expect_all_images_on_the_way<SmoothContacts>(moving_discs(width));
 }
 TEST(AllImages, SmoothBodiesThatMoveInASmallCell) {
   System<2> system = bodies_anywhere(4, {3.4, 3.4}, 0.2, 2);
   for (int b = 0; b < 4; ++b) {
     RandomStream draw(9, Purpose::test, static_cast<std::uint64_t>(b));
     const Vec2 v{draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)};
-    for (int i = system.topology.begin[b]; i < system.topology.begin[b + 1]; ++i) system.state.velocity[i] = v;
+    for (int i = system.topology.begin[b]; i < system.topology.begin[b + 1]; ++i)
+      system.state.velocity[i] = v;
   }
   expect_all_images_on_the_way<SmoothContacts>(system);
 }

@@ -23,7 +23,11 @@ struct Law {
 
 template <class L>
 Law law(const std::string& name, const L& l, double low, double high, std::vector<double> kinks = {}) {
-  return {name, [l](double d) { return l.force(d, d0, k); }, [l](double d) { return l.energy(d, d0, k); }, low, high,
+  return {name,
+          [l](double d) { return l.force(d, d0, k); },
+          [l](double d) { return l.energy(d, d0, k); },
+          low,
+          high,
           kinks};
 }
 
@@ -99,9 +103,9 @@ TEST(ElasticLaw, DivergentIsLinearToDivergentAndCapped) {
 TEST(ElasticLaw, HertzIsThatOfTheDocumentation) {
   // S1-13: 1.09 E R^(-1/2) delta^1.5 with E = 8 kPa (k = pi E/8), R = 10 um, delta = 2 um.
   const double stiffness = 3.141592653589793 / 8 * 8000, radius = 10e-6, delta = 2e-6;
-  EXPECT_NEAR(
-      Hertz().force(2 * radius - delta, 2 * radius, stiffness) / (8000 / std::sqrt(radius) * std::pow(delta, 1.5)),
-      1.0921, 1e-4);
+  EXPECT_NEAR(Hertz().force(2 * radius - delta, 2 * radius, stiffness) /
+                  (8000 / std::sqrt(radius) * std::pow(delta, 1.5)),
+              1.0921, 1e-4);
 }
 
 TEST(ElasticLaw, PlateauMapsTheDistance) {
@@ -117,7 +121,8 @@ TEST(ElasticLaw, TensionsStartWithTheSameStiffness) {
   const double stretched = 1.4 * d0, linear = Tensile().force(stretched, d0, k);
   EXPECT_DOUBLE_EQ(linear, -0.4 * k * d0);
   EXPECT_LT(Tensile(Tensile::Kind::exponential).force(stretched, d0, k), linear);
-  EXPECT_NEAR(Tensile(Tensile::Kind::saturating).force(stretched, d0, k), -0.2 * k * d0 * (1 - std::exp(-2.0)), 1e-14);
+  EXPECT_NEAR(Tensile(Tensile::Kind::saturating).force(stretched, d0, k),
+              -0.2 * k * d0 * (1 - std::exp(-2.0)), 1e-14);
 }
 
 }  // namespace

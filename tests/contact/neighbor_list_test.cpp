@@ -18,7 +18,8 @@ Pairs touching_by_brute_force(const System<Dim>& s) {
   Pairs found;
   for (int i = 0; i < s.state.size(); ++i)
     for (int j = i + 1; j < s.state.size(); ++j)
-      if (norm(s.box.displacement(s.state.position[i], s.state.position[j])) < s.state.radius[i] + s.state.radius[j])
+      if (norm(s.box.displacement(s.state.position[i], s.state.position[j])) <
+          s.state.radius[i] + s.state.radius[j])
         found.insert({i, j});
   return found;
 }
@@ -28,7 +29,8 @@ Pairs touching_in_table(const System<Dim>& s) {
   Pairs found;
   for (int row = 0; row < s.pairs.size(); ++row) {
     const int i = s.pairs.first[row], j = s.pairs.second[row];
-    if (norm(s.box.displacement(s.state.position[i], s.state.position[j])) < s.state.radius[i] + s.state.radius[j])
+    if (norm(s.box.displacement(s.state.position[i], s.state.position[j])) <
+        s.state.radius[i] + s.state.radius[j])
       found.insert({i, j});
   }
   return found;
@@ -97,7 +99,8 @@ TEST(NeighborList, FindsEveryTouchingPairOfAnySizesInCellsOfAnyShape) {
         NeighborList<2> list;
         list.update(s);
         const Pairs right = touching_over_all_images(s);
-        EXPECT_EQ(touching_in_table(s), right) << length[0] << " x " << length[1] << ", " << ratio << ", " << strain;
+        EXPECT_EQ(touching_in_table(s), right)
+            << length[0] << " x " << length[1] << ", " << ratio << ", " << strain;
         EXPECT_FALSE(right.empty());
       }
 }
@@ -105,7 +108,8 @@ TEST(NeighborList, FindsEveryTouchingPairOfAnySizesInCellsOfAnyShape) {
 /// Coordinates are no size of a grid: absurd ones find nobody, and corrupt nothing.
 TEST(NeighborList, SitesThatAreAbsurdlyFarAwayMeetNobody) {
   for (const bool periodic : {false, true})
-    for (const double far : {1e200, -1e200, 1e18, 3e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    for (const double far :
+         {1e200, -1e200, 1e18, 3e9, std::numeric_limits<double>::infinity(), std::nan("")}) {
       System<2> s = testing::random_suspension(100, 0.8);
       s.box.periodic = {periodic, periodic};
       s.state.position[7] = {far, 3};

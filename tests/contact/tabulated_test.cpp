@@ -28,7 +28,8 @@ TEST(Tabulated, FollowsTheLawWithinItsStatedErrorAndItsEnergyIsTheIntegral) {
 
 TEST(Tabulated, SmoothLawsReachTheGoalOfTheTable) {
   const Tabulated hertz(
-      [](double d, double d0, double k, double) { return k * std::pow(d0 - d, 2.5) / std::pow(d0, 1.5); }, 0, "law");
+      [](double d, double d0, double k, double) { return k * std::pow(d0 - d, 2.5) / std::pow(d0, 1.5); }, 0,
+      "law");
   EXPECT_LT(hertz.error_bound(), 1e-8);
   EXPECT_NEAR(hertz.force(0.7, 1, 10), 10 * std::pow(0.3, 2.5), 1e-7);
   EXPECT_NEAR(hertz.energy(0.7, 1, 10), 10 * std::pow(0.3, 3.5) / 3.5, 1e-7);
@@ -51,16 +52,20 @@ TEST(Tabulated, RefusesLawsThatAreNotRepulsionLaws) {
     return text.find(part) != std::string::npos ? testing::AssertionSuccess() : AssertionFailure() << text;
   };
   EXPECT_TRUE(contains(
-      problem_of([](double d, double d0, double k, double) { return k * (d0 - d) * d0 * d0 / (d * d); }), "diverges"));
-  EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * (d - d0); }), "attracts"));
+      problem_of([](double d, double d0, double k, double) { return k * (d0 - d) * d0 * d0 / (d * d); }),
+      "diverges"));
+  EXPECT_TRUE(
+      contains(problem_of([](double d, double d0, double k, double) { return k * (d - d0); }), "attracts"));
   EXPECT_TRUE(contains(problem_of([](double, double d0, double k, double) { return k * d0; }), "at contact"));
   EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) {
                          return k * d0 * std::pow(d / d0 - 0.4, 1.5) * (1 - d / d0);
                        }),
                        "not finite"));
-  EXPECT_TRUE(contains(problem_of([](double d, double d0, double, double) { return d0 - d; }), "proportional to k"));
-  EXPECT_TRUE(contains(problem_of([](double d, double d0, double k, double) { return k * (d0 - d) * (d0 - d); }),
-                       "length of its own"));
+  EXPECT_TRUE(
+      contains(problem_of([](double d, double d0, double, double) { return d0 - d; }), "proportional to k"));
+  EXPECT_TRUE(
+      contains(problem_of([](double d, double d0, double k, double) { return k * (d0 - d) * (d0 - d); }),
+               "length of its own"));
 }
 
 }  // namespace

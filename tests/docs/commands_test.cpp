@@ -1,5 +1,5 @@
-/// Every command that the documents tell a reader to type, in their order and word for word. A `supple` in front of the real one
-/// makes `run` cheap: fewer particles, fewer steps, by --set.
+/// Every command that the documents tell a reader to type, in their order and word for word. A `supple` in
+/// front of the real one makes `run` cheap: fewer particles, fewer steps, by --set.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -25,14 +25,15 @@ for word in "$@"; do case $word in experiment=*) kind=${word#experiment=} ;; esa
 deformable=$(grep -c '^physics = "deformable"' "$2")
 given=$(grep -c '^state = ' "$2")
 bodies="--set bodies.N=9 --set bodies.vertices=8"
+jam="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3"
 case $kind$deformable$given in
   preparation*) more="--set particles.N=40 --set particles.cut_lines=0" ;;
-  oscillatory_shear*) more="--set particles.N=40 --set particles.cut_lines=0 --set shear.relative_frequency=0.2 --set shear.periods=4" ;;
+  oscillatory_shear*) more="--set particles.N=40 --set particles.cut_lines=0 --set shear.periods=4"
+    more="$more --set shear.relative_frequency=0.2" ;;
   dynamics00) more="--set particles.N=40 --set particles.cut_lines=0 --set time.steps=50" ;;
   dynamics10) more="$bodies --set time.steps=50" ;;
-  jamming*) more="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3" ;;
-  compression*) more="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3
-    --set compression.per_decade=2" ;;
+  jamming*) more="$jam" ;;
+  compression*) more="$jam --set compression.per_decade=2" ;;
   uniaxial*) more="$bodies --set uniaxial.strain=0.03 --set uniaxial.pressure=2e-3" ;;
   slump*) more="$bodies --set slump.settle_time=5 --set slump.spread_time=5 --set slump.width=4" ;;
 esac
@@ -96,12 +97,14 @@ TEST_F(Documents, ReadmeAndGuideInOneFolder) {
   for (const std::string& command : commands_of(document("docs/guide.md"))) commands.push_back(command);
   EXPECT_GT(commands.size(), 20u);
   for (const std::string& command : commands) expect_to_work(command);
-  EXPECT_TRUE(exists("here/first.pdf") && exists("here/end.pdf") && exists("here/gel.csv") && exists("here/jamming_cell.png"));
+  EXPECT_TRUE(exists("here/first.pdf") && exists("here/end.pdf") && exists("here/gel.csv") &&
+              exists("here/jamming_cell.png"));
 }
 
 TEST_F(Documents, HeadsOfTheExamples) {
   int commands = 0;
-  for (const fs::directory_entry& example : fs::directory_iterator(fs::path(SUPPLE_SOURCE_DIR) / "examples")) {
+  for (const fs::directory_entry& example :
+       fs::directory_iterator(fs::path(SUPPLE_SOURCE_DIR) / "examples")) {
     if (example.path().extension() != ".toml") continue;
     start_anew();
     std::istringstream lines(read_text(example.path()));
@@ -116,7 +119,8 @@ TEST_F(Documents, WhatInitSaysNext) {
     for (const bool deformable : {false, true}) {
       if ((deformable ? e.bodies : e.discs).empty()) continue;
       start_anew();
-      expect_to_work("supple init " + e.name + (deformable && !e.discs.empty() ? " --physics deformable" : ""));
+      expect_to_work("supple init " + e.name +
+                     (deformable && !e.discs.empty() ? " --physics deformable" : ""));
       const std::string said = read_text(path("log"));
       const auto at = said.find("next: ");
       ASSERT_NE(at, said.npos) << said;

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "supple/io/case_file.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "tests/app/command.hpp"
 #include "tests/paths.hpp"
 
@@ -43,7 +43,8 @@ TEST(Guide, ParameterTablesAreThoseOfTheCode) {
 
 TEST(Guide, NamesOnlyKeysThatExist) {
   const std::set<std::string> keys = all_keys();
-  const std::regex mention("`((material|particles|box|shear|time|preparation|initial|output)\\.\\w+)( = [^`]*)?`");
+  const std::regex mention(
+      "`((material|particles|box|shear|time|preparation|initial|output)\\.\\w+)( = [^`]*)?`");
   int mentions = 0;
   for (const char* name : {"docs/guide.md", "docs/theory/microgel.md"}) {
     const std::string text = document(name);
@@ -59,8 +60,8 @@ class Examples : public CommandTest {
   void run_script(const std::string& interpreter, const std::string& script) {
     write("script", script);
     const std::string folder = std::filesystem::path(SUPPLE_COMMAND).parent_path().string();
-    const std::string line = "cd '" + path("").string() + "' && PATH='" + folder + "':\"$PATH\" " + interpreter +
-                             " script >log 2>&1";
+    const std::string line = "cd '" + path("").string() + "' && PATH='" + folder + "':\"$PATH\" " +
+                             interpreter + " script >log 2>&1";
     EXPECT_EQ(std::system(line.c_str()), 0) << read_text(path("log"));
   }
 };
@@ -73,9 +74,11 @@ TEST_F(Examples, ReadingARunInPython) {
 }
 
 TEST_F(Examples, PackingOfTwoEllipsesInARectangularCell) {
-  write("cell.json", code_block(document("docs/packing_json.md"), "Two ellipses in a rectangular cell", "json"));
-  write("move.toml", "experiment = \"dynamics\"\n[initial]\npacking = \"cell.json\"\n[time]\nsteps = 100\n"
-                     "[motion]\nkinetic_energy = 1e-3\n[output]\nplot = false\n");
+  write("cell.json",
+        code_block(document("docs/packing_json.md"), "Two ellipses in a rectangular cell", "json"));
+  write("move.toml",
+        "experiment = \"dynamics\"\n[initial]\npacking = \"cell.json\"\n[time]\nsteps = 100\n"
+        "[motion]\nkinetic_energy = 1e-3\n[output]\nplot = false\n");
   const Outcome run = supple("run move.toml");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, testing::HasSubstr("3 particles, 2 of them polygons, with 16 vertices, cell 6 x 4"));
@@ -83,8 +86,9 @@ TEST_F(Examples, PackingOfTwoEllipsesInARectangularCell) {
 
 TEST_F(Examples, PackingOfADistributionOfSizes) {
   run_script("python3", code_block(document("docs/packing_json.md"), "A distribution of sizes", "python"));
-  write("jam.toml", "experiment = \"jamming\"\n[initial]\npacking = \"ellipses.json\"\n[jamming]\nstep = 0.02\n"
-                    "pressure = 1e-3\n[output]\nplot = false\nsnapshot = false\n");
+  write("jam.toml",
+        "experiment = \"jamming\"\n[initial]\npacking = \"ellipses.json\"\n[jamming]\nstep = 0.02\n"
+        "pressure = 1e-3\n[output]\nplot = false\nsnapshot = false\n");
   const Outcome run = supple("run jam.toml");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, testing::HasSubstr("18 particles"));

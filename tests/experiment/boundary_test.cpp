@@ -1,4 +1,5 @@
-/// Cells without shear: periodic ones have no plates; in closed ones the discs at the edge are fixed, at rest.
+/// Cells without shear: periodic ones have no plates; in closed ones the discs at the edge are fixed, at
+/// rest.
 #include <gtest/gtest.h>
 
 #include "supple/experiment/experiments.hpp"
@@ -41,7 +42,8 @@ TEST(Boundary, AClosedCellKeepsItsDiscsAndFixesThoseAtTheEdge) {
       EXPECT_GT(s.state.position[i][d], 0) << i;
       EXPECT_LT(s.state.position[i][d], s.box.length[d]) << i;
     }
-    const bool at_edge = s.state.position[i][0] <= s.state.radius[i] || s.state.position[i][1] <= s.state.radius[i] ||
+    const bool at_edge = s.state.position[i][0] <= s.state.radius[i] ||
+                         s.state.position[i][1] <= s.state.radius[i] ||
                          s.state.position[i][0] >= s.box.length[0] - s.state.radius[i] ||
                          s.state.position[i][1] >= s.box.length[1] - s.state.radius[i];
     EXPECT_EQ(at_edge, s.state.mobility[i] == Mobility::fixed) << i;

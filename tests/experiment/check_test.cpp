@@ -105,7 +105,8 @@ TEST(Check, VerticesThatGatherOrLetOthersThrough) {
   EXPECT_THAT(find_doubts(c), Contains(HasSubstr("does not keep vertices apart")));
   c.bodies.k_l = 0.1;
   c.bodies.diameter_ratio = 0.8;
-  EXPECT_THAT(find_doubts(c), Contains(HasSubstr("edges are 1.25 times as long as vertices are wide; from 2 on")));
+  EXPECT_THAT(find_doubts(c),
+              Contains(HasSubstr("edges are 1.25 times as long as vertices are wide; from 2 on")));
   c.bodies.diameter_ratio = 0.5;
   EXPECT_THAT(find_doubts(c), Contains(HasSubstr("so that vertices of other particles pass")));
   c.contact.kind = "smooth";

@@ -59,13 +59,16 @@ TEST(Cost, ManyParticlesSetApartAreStillACellThatCanBeComputedWith) {
 
 TEST(Cost, ParticlesSetApartAreThoseOfTheCell) {
   for (const char* family : {"shell", "floppy", "disc", "rough_disc"})
-    for (const double ratio : {1.4, 100.0}) {  // the largest are wider than the usual distance between particles
+    for (const double ratio :
+         {1.4, 100.0}) {  // the largest are wider than the usual distance between particles
       SCOPED_TRACE(family);
       Case c = bodies_case("jamming", family);
       c.bodies.size_ratio = ratio;
       c.jamming.packing_fraction = ratio < 2 ? 0.4 : 0.05;
-      const std::vector<Derived> row = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction, set_apart)),
-                                 cell = derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction));
+      const std::vector<Derived> row = derived_equilibria(
+                                     make_packing(c, nullptr, c.jamming.packing_fraction, set_apart)),
+                                 cell =
+                                     derived_equilibria(make_packing(c, nullptr, c.jamming.packing_fraction));
       for (std::size_t k = 0; k < row.size(); ++k)
         EXPECT_NEAR(row[k].value, cell[k].value, 1e-9 * cell[k].value) << row[k].name.name;
     }
@@ -92,7 +95,8 @@ TEST(Cost, VerticesBeyondAnyMemoryAreRefusedAtOnce) {
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);
       EXPECT_NE(std::string(e.what()).find("GB of memory"), std::string::npos) << e.what();
-      EXPECT_NE(std::string(e.what()).find("lower bodies.N or bodies.vertices"), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("lower bodies.N or bodies.vertices"), std::string::npos)
+          << e.what();
     }
     EXPECT_LT(cpu_seconds() - begin, 0.5);
   }

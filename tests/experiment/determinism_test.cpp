@@ -5,9 +5,9 @@
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/suspension.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/state/state_file.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 namespace supple {

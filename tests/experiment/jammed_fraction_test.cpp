@@ -30,7 +30,8 @@ Packing jammed(const Kind& kind, int seed) {
   c.bodies.shape_parameter = kind.shape_parameter;
   c.bodies.diameter_ratio = kind.diameter_ratio;
   c.contact.kind = kind.contact;
-  c.contact.unsound = "mark";  // fractions of particles whose vertices have passed each other are looked at too
+  c.contact.unsound =
+      "mark";  // fractions of particles whose vertices have passed each other are looked at too
   c.jamming.packing_fraction = 0.4;
   c.jamming.step = 0.01;
   c.jamming.pressure = 1e-3;
@@ -42,8 +43,8 @@ Packing jammed(const Kind& kind, int seed) {
   return packing;
 }
 
-/// Probability that a chi-squared of 2 m degrees of freedom is larger: the regularised gamma function Q(m, x/2), for an
-/// integer m a finite sum.
+/// Probability that a chi-squared of 2 m degrees of freedom is larger: the regularised gamma function Q(m,
+/// x/2), for an integer m a finite sum.
 double survival(double chi_squared, int m) {
   double term = std::exp(-0.5 * chi_squared), sum = 0;
   for (int k = 0; k < m; ++k) {

@@ -40,8 +40,8 @@ Case small_case(const Family& f) {
 
 class JammingOf : public ::testing::TestWithParam<Family> {};
 
-/// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with their
-/// centres.
+/// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with
+/// their centres.
 double strained_energy(const Packing& packing, int i, int j, double e) {
   Packing p = packing;
   System<2>& s = p.system;
@@ -65,7 +65,8 @@ double strained_energy(const Packing& packing, int i, int j, double e) {
 double slope(const Packing& p, int i, int j) {
   const double h = 2e-6;  // contacts must not open or close within it
   return (8 * (strained_energy(p, i, j, h) - strained_energy(p, i, j, -h)) -
-          (strained_energy(p, i, j, 2 * h) - strained_energy(p, i, j, -2 * h))) / (12 * h);
+          (strained_energy(p, i, j, 2 * h) - strained_energy(p, i, j, -2 * h))) /
+         (12 * h);
 }
 
 TEST_P(JammingOf, ReachesTheWindow) {
@@ -134,7 +135,8 @@ TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       EXPECT_NEAR(sum[i][j] / area, stress[i][j], 1e-12 * scale) << i << j;
-      EXPECT_NEAR(r.evaluation.virial[i][j] / area, stress[i][j], s.rigid.body.empty() ? 1e-12 * scale : 1e-5 * scale)
+      EXPECT_NEAR(r.evaluation.virial[i][j] / area, stress[i][j],
+                  s.rigid.body.empty() ? 1e-12 * scale : 1e-5 * scale)
           << i << j;
     }
 }
@@ -143,9 +145,10 @@ INSTANTIATE_TEST_SUITE_P(
     Families, JammingOf,
     ::testing::Values(Family{"shell", "shell", "rough"}, Family{"floppy_104", "floppy", "rough", 1.04},
                       Family{"floppy_115", "floppy", "rough", 1.15}, Family{"droplet", "droplet", "rough"},
-                      Family{"smooth_shell", "shell", "smooth"}, Family{"smooth_droplet", "droplet", "smooth"},
-                      Family{"disc", "disc", "rough"}, Family{"rough_disc", "rough_disc", "rough"},
-                      Family{"mixed", "shell", "rough", 0, 4, 2}, Family{"mixed_smooth", "shell", "smooth", 0, 4}),
+                      Family{"smooth_shell", "shell", "smooth"},
+                      Family{"smooth_droplet", "droplet", "smooth"}, Family{"disc", "disc", "rough"},
+                      Family{"rough_disc", "rough_disc", "rough"}, Family{"mixed", "shell", "rough", 0, 4, 2},
+                      Family{"mixed_smooth", "shell", "smooth", 0, 4}),
     [](const auto& given) { return std::string(given.param.name); });
 
 TEST(Jamming, AllSearchesEndInTheSameWindow) {
@@ -211,7 +214,8 @@ TEST(Compression, GoesUpTheListAndBack) {
   EXPECT_EQ(recorder.frames.size(), p.size()) << "the last instant is kept once";
 }
 
-/// A second cycle begins at the pressure that the first came back to, and a state above all pressures goes down to them.
+/// A second cycle begins at the pressure that the first came back to, and a state above all pressures goes
+/// down to them.
 TEST(Compression, CyclesComeBackToTheFirstPressure) {
   Case c = small_case({"disc", "disc", "rough"});
   c.general.experiment = "compression";
@@ -316,7 +320,8 @@ TEST(BodyDynamicsRun, ParticlesGetTheKineticEnergyAskedFor) {
       const std::string name = family;
       const double motions = name == "shell" ? 10 : name == "disc" ? 1 : 1.5;
       EXPECT_NEAR(recorder.tables.at("motion").column("kinetic_energy").front(), 1e-5 * motions * count,
-                  1e-12 * motions * count) << family;
+                  1e-12 * motions * count)
+          << family;
     }
   Case one = dynamics_case("disc");
   one.bodies.count = 1;

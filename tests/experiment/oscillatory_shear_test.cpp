@@ -41,7 +41,8 @@ MemoryRecorder run_of(const Case& c) {
 }
 
 TEST(OscillatoryShear, LossDoesNotDependOnWhereTheShearStops) {
-  // 29.87 Pa: an independent fit of the series of such a run. A last quarter of a period made -136 of it once.
+  // 29.87 Pa: an independent fit of the series of such a run. A last quarter of a period made -136 of it
+  // once.
   for (const double periods : {2.25, 2.75, 3.0}) {
     Case c = scaffold();
     c.shear.periods = periods;
@@ -73,19 +74,22 @@ TEST(OscillatoryShear, EstimatorsThatDoNotDependOnTheCutComeFirst) {
 }
 
 TEST(OscillatoryShear, PlateForceIsTheStressOfTheGapAtLowFrequency) {
-  // Force balance of a slab at rest: the plates carry what the sample does, and their thickness is what the virial
-  // over the whole cell lacks. The plates of a cell without any are not there.
+  // Force balance of a slab at rest: the plates carry what the sample does, and their thickness is what the
+  // virial over the whole cell lacks. The plates of a cell without any are not there.
   Case c = scaffold();
   c.shear.relative_frequency = 0.006;
   const MemoryRecorder recorder = run_of(c);
   const MemoryRecorder::Table& stress = recorder.tables.at("stress");
-  const std::vector<double> plates = stress.column("shear_stress_plates"), virial = stress.column("shear_stress_virial");
+  const std::vector<double> plates = stress.column("shear_stress_plates"),
+                            virial = stress.column("shear_stress_virial");
   double most = 0;
   for (const double s : plates) most = std::max(most, std::abs(s));
-  const double ratio = recorder.get("results", "storage_modulus_plates") / recorder.get("results", "storage_modulus_virial");
+  const double ratio =
+      recorder.get("results", "storage_modulus_plates") / recorder.get("results", "storage_modulus_virial");
   EXPECT_GT(ratio, 1.1);  // two layers of about a radius of 14 % of the height
   EXPECT_LT(ratio, 1.35);
-  for (std::size_t i = 0; i < plates.size(); i += 50) EXPECT_NEAR(plates[i] - plates[0], ratio * (virial[i] - virial[0]), 0.02 * most);
+  for (std::size_t i = 0; i < plates.size(); i += 50)
+    EXPECT_NEAR(plates[i] - plates[0], ratio * (virial[i] - virial[0]), 0.02 * most);
 
   c.box.plates = "none";
   const MemoryRecorder without = run_of(c);
@@ -156,7 +160,8 @@ TEST(OscillatoryShear, AFastOscillationGetsStepsEnoughToBeDemodulated) {
 
 TEST(OscillatoryShear, OneSeedIsOneSampleWhateverTheProtocol) {
   Case c = scaffold();
-  c.material.tensile_law = "exponential";  // whose stiffness at the largest stretch of the shear limits the step
+  c.material.tensile_law =
+      "exponential";  // whose stiffness at the largest stretch of the shear limits the step
   const System<2> expected = testing::prepared_suspension(c).system;
   for (const double amplitude : {0.002, 0.5})
     for (const double frequency : {0.001, 0.25}) {

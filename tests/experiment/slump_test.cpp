@@ -139,7 +139,8 @@ TEST(SlumpOfAState, BeginsAtRest) {
   EXPECT_EQ(moving.last_system.state.position, still.last_system.state.position);
 }
 
-/// A disc that bounces with little damping hardly moves at the top of a bounce, where the floor bears nothing.
+/// A disc that bounces with little damping hardly moves at the top of a bounce, where the floor bears
+/// nothing.
 TEST(SlumpOfADisc, IsNotAtRestInTheAir) {
   Case c;
   c.general.experiment = "slump";

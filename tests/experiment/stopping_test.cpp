@@ -56,7 +56,8 @@ TEST_P(StoppingOf, EndsWithinAMinimisationAndShowsThePacking) {
   EXPECT_EQ(recorder.last_system.state.size(), 80);
 }
 
-INSTANTIATE_TEST_SUITE_P(Experiments, StoppingOf, ::testing::Values("jamming", "compression", "uniaxial_compression"),
+INSTANTIATE_TEST_SUITE_P(Experiments, StoppingOf,
+                         ::testing::Values("jamming", "compression", "uniaxial_compression"),
                          [](const auto& one) { return one.param; });
 
 /// Before there is a packing: nothing is begun, and nothing handed over.
@@ -116,7 +117,9 @@ TEST(Jamming, OneEvaluationIsNoMinimisation) {
 TEST(Droplets, AreRefusedWhereTheyShrinkToAPoint) {
   Case c = small_case("jamming", "droplet");
   for (const double tension : {1.27, 1.28}) {
-    const auto slope = [&](double s) { return 2 * s * (s * s - 1) + tension + 0.1 * c.bodies.vertices * c.bodies.k_l / 0.1 * (s - 1); };
+    const auto slope = [&](double s) {
+      return 2 * s * (s * s - 1) + tension + 0.1 * c.bodies.vertices * c.bodies.k_l / 0.1 * (s - 1);
+    };
     bool rests = false;
     for (double s = 1e-3; s < 1; s += 1e-4) rests |= slope(s) < 0;
     c.bodies.gamma = tension;

@@ -37,7 +37,8 @@ Moduli moduli(Prepared p, double step_factor) {
   p.c.time.step_factor = step_factor;
   MemoryRecorder recorder;
   run(p.c, &p.state, recorder);
-  return {recorder.get("results", "storage_modulus_internal"), recorder.get("results", "loss_modulus_internal")};
+  return {recorder.get("results", "storage_modulus_internal"),
+          recorder.get("results", "loss_modulus_internal")};
 }
 
 void expect_within_two_percent(const Moduli& coarse, const Moduli& fine) {

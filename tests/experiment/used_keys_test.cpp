@@ -92,7 +92,8 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Everything that a run computes, or how it failed. Not what it hands on without using it: the group "protocol".
+/// Everything that a run computes, or how it failed. Not what it hands on without using it: the group
+/// "protocol".
 std::string outcome(const Case& c) {
   try {
     std::string text;
@@ -104,7 +105,8 @@ std::string outcome(const Case& c) {
         for (const double x : row) text += fmt::format("{} ", x);
     for (const auto& [group, values] : r.values)
       for (const auto& v : values)
-        if (group != protocol_group && v.name.name != "cpu_time") text += fmt::format("{} {} {}\n", v.name.name, v.value, v.error);
+        if (group != protocol_group && v.name.name != "cpu_time")
+          text += fmt::format("{} {} {}\n", v.name.name, v.value, v.error);
     for (const Frame& f : r.frames) text += fmt::format("frame {}\n", f.time);
     for (const Vec2& x : r.last_system.state.position) text += fmt::format("{} {} ", x[0], x[1]);
     for (const Vec2& v : r.last_system.state.velocity) text += fmt::format("{} {} ", v[0], v[1]);
@@ -128,8 +130,7 @@ TEST(UsedKeys, WhatNoExperimentUsesIsRefusedByName) {
       const std::string expected = key + " has no effect";
       if (c.general.experiment == "preparation" && error_of(c) == "no error")
         EXPECT_THAT(find_doubts(c), Contains(HasSubstr(expected))) << name_of(kind);
-      else
-        EXPECT_THAT(error_of(c), HasSubstr(expected)) << name_of(kind);
+      else EXPECT_THAT(error_of(c), HasSubstr(expected)) << name_of(kind);
     }
   }
 }
@@ -159,10 +160,14 @@ TEST(UsedKeys, TheMessageNamesTheKeyThatCounts) {
   c.particles.discs = 7;
   c.material.friction = 0.3;
   c.given = {"particles.N", "material.friction"};
-  EXPECT_THAT(error_of(c), HasSubstr("gel.toml: particles.N has no effect (experiment = \"jamming\" does not use it); leave "
-                                     "it away; here it is bodies.N"));
-  EXPECT_THAT(error_of(c), HasSubstr("gel.toml: material.friction has no effect (experiment = \"jamming\" does not use it); "
-                                     "leave it away; it is used by oscillatory_shear, preparation, dynamics"));
+  EXPECT_THAT(
+      error_of(c),
+      HasSubstr("gel.toml: particles.N has no effect (experiment = \"jamming\" does not use it); leave "
+                "it away; here it is bodies.N"));
+  EXPECT_THAT(
+      error_of(c),
+      HasSubstr("gel.toml: material.friction has no effect (experiment = \"jamming\" does not use it); "
+                "leave it away; it is used by oscillatory_shear, preparation, dynamics"));
 }
 
 TEST(UsedKeys, DeformableParticlesAreNotShearedNorPreparedAsMicrogels) {
@@ -171,7 +176,8 @@ TEST(UsedKeys, DeformableParticlesAreNotShearedNorPreparedAsMicrogels) {
     c.general.experiment = experiment;
     c.general.physics = "deformable";
     c.given = {"physics"};
-    EXPECT_THAT(error_of(c), HasSubstr(fmt::format("physics = \"deformable\" with experiment = \"{}\"", experiment)));
+    EXPECT_THAT(error_of(c),
+                HasSubstr(fmt::format("physics = \"deformable\" with experiment = \"{}\"", experiment)));
     EXPECT_THAT(error_of(c), HasSubstr("choose another experiment: dynamics, jamming"));
   }
 }

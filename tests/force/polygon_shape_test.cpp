@@ -41,7 +41,8 @@ TEST(PolygonShape, EqualsTheTermsItStandsFor) {
   expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
 }
 
-/// Rings of all sizes round those of the loops, with sharp and reflex corners, a small one last, far from the origin.
+/// Rings of all sizes round those of the loops, with sharp and reflex corners, a small one last, far from the
+/// origin.
 TEST(PolygonShape, EqualsTheTermsForRingsOfAnySize) {
   System<2> system;
   system.box.length = {20, 20};
@@ -66,7 +67,8 @@ TEST(PolygonShape, UniformRestAnglesDropOut) {
     for (int h = system.topology.hinge_begin[b]; h < system.topology.hinge_begin[b + 1]; ++h)
       system.shape.rest_hinge[h] = 0;
   const Evaluation<2> after = evaluate(fast_terms(), system);
-  for (std::size_t i = 0; i < before.force.size(); ++i) EXPECT_LT(norm(before.force[i] - after.force[i]), 1e-13);
+  for (std::size_t i = 0; i < before.force.size(); ++i)
+    EXPECT_LT(norm(before.force[i] - after.force[i]), 1e-13);
   EXPECT_GT(std::abs(before.energy.terms - after.energy.terms), 1);
 }
 
@@ -117,15 +119,16 @@ TEST(PolygonShape, HasTheHessianOfTheTermsItStandsFor) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-13 * largest) << k;
 }
 
-/// What the sparse Hessian leaves out is k_a (da/dx)(da/dx)^T, and nothing where a ring needs its area to keep its
-/// shape.
+/// What the sparse Hessian leaves out is k_a (da/dx)(da/dx)^T, and nothing where a ring needs its area to
+/// keep its shape.
 TEST(PolygonShape, HasASparseHessianWithoutTheSlopeOfTheArea) {
   for (const double bending : {0.02, 0.0}) {
     System<2> system;
     system.box.length = {20, 20};
     const int n = 9;
     add_polygon(system, {5, 5}, 2, n, 0.3, 1, {.bending = bending});
-    for (int i = 0; i < n; ++i) system.state.position[i] += Vec2{0.05 * std::sin(3.0 * i), 0.05 * std::cos(5.0 * i)};
+    for (int i = 0; i < n; ++i)
+      system.state.position[i] += Vec2{0.05 * std::sin(3.0 * i), 0.05 * std::cos(5.0 * i)};
     HessianBlocks<2> exact, sparse;
     PolygonShape().add_hessian(system, exact);
     PolygonShape().add_sparse_hessian(system, sparse);
@@ -138,7 +141,8 @@ TEST(PolygonShape, HasASparseHessianWithoutTheSlopeOfTheArea) {
     }
     const double k = bending > 0 ? system.shape.stiffness[0].volume : 0;
     for (int i = 0; i < 2 * n; ++i)
-      for (int j = 0; j < 2 * n; ++j) EXPECT_NEAR(a[2 * n * i + j] - b[2 * n * i + j], k * slope[i] * slope[j], 1e-12);
+      for (int j = 0; j < 2 * n; ++j)
+        EXPECT_NEAR(a[2 * n * i + j] - b[2 * n * i + j], k * slope[i] * slope[j], 1e-12);
   }
 }
 

@@ -7,8 +7,8 @@
 namespace supple {
 namespace {
 
-/// Shells, discs and rigid bodies between walls: -dU/d(strain) where sites follow the strain and rigid bodies with
-/// their centres.
+/// Shells, discs and rigid bodies between walls: -dU/d(strain) where sites follow the strain and rigid bodies
+/// with their centres.
 TEST(RigidVirial, IsTheSlopeOfTheEnergyByStrain) {
   System<2> system = testing::random_polygons();
   add_disc_body(system, {0.8, 1.2}, 0.5);

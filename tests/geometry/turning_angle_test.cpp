@@ -8,7 +8,8 @@ namespace {
 double worst_error(double from, double to) {
   double worst = 0;
   for (int k = 0; k <= 20000; ++k) {
-    const double angle = from + (to - from) * k / 20000, sine = 0.91 * std::sin(angle), cosine = 0.91 * std::cos(angle);
+    const double angle = from + (to - from) * k / 20000, sine = 0.91 * std::sin(angle),
+                 cosine = 0.91 * std::cos(angle);
     const double product = std::sqrt(sine * sine + cosine * cosine);
     worst = std::max(worst, std::abs(turning_angle(sine, cosine, product) - std::atan2(sine, cosine)));
     worst = std::max(worst, std::abs(turning_angle(-sine, cosine, product) + std::atan2(sine, cosine)));
@@ -24,7 +25,8 @@ TEST(TurningAngle, IsWithinItsStatedErrorOfLibm) {
 TEST(TurningAngle, IsWithinItsStatedErrorWhereItIsBlunt) {
   double worst = 0;
   for (int k = -20000; k <= 20000; ++k) {
-    const double angle = std::acos(least_blunt_cosine) * k / 20000, sine = std::sin(angle), cosine = std::cos(angle);
+    const double angle = std::acos(least_blunt_cosine) * k / 20000, sine = std::sin(angle),
+                 cosine = std::cos(angle);
     worst = std::max(worst, std::abs(blunt_turning_angle(sine, cosine) - std::atan2(sine, cosine)));
   }
   EXPECT_LT(worst, 5e-16);

@@ -1,6 +1,6 @@
 /// What a continuation takes over, what it refuses, and what it must not lose.
-#include "supple/io/json_node.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/run_file.hpp"
+#include "supple/io/state/json_node.hpp"
 #include "tests/io/continued_run.hpp"
 
 namespace supple {
@@ -32,15 +32,25 @@ class AdoptedState : public ContinuedRun {
                          {"inertia", 1800}});
       neighbors.push_back(Json::array());
     }
-    const Json root{{"dt", 0.005},
-                    {"steps", 250},
-                    {"cool_factor", 1},
-                    {"params", {{"size_x", 500}, {"size_y", 500}, {"k", 20}, {"nu", 0.3}, {"k_t", 15}, {"nu_t", 0.2},
-                                {"mu", 0.4}, {"central_repulsion_coefficient", 1}, {"applyingShear", false},
-                                {"permanent_ratio_central", 1}, {"permanent_ratio_tangential", 1},
-                                {"keep_viscosity_coefficients_constant", true}}},
-                    {"initial", {{"t", 0}, {"shear", 0}, {"shear_rate", 0}, {"spheres", spheres},
-                                 {"neighbors", neighbors}}}};
+    const Json root{
+        {"dt", 0.005},
+        {"steps", 250},
+        {"cool_factor", 1},
+        {"params",
+         {{"size_x", 500},
+          {"size_y", 500},
+          {"k", 20},
+          {"nu", 0.3},
+          {"k_t", 15},
+          {"nu_t", 0.2},
+          {"mu", 0.4},
+          {"central_repulsion_coefficient", 1},
+          {"applyingShear", false},
+          {"permanent_ratio_central", 1},
+          {"permanent_ratio_tangential", 1},
+          {"keep_viscosity_coefficients_constant", true}}},
+        {"initial",
+         {{"t", 0}, {"shear", 0}, {"shear_rate", 0}, {"spheres", spheres}, {"neighbors", neighbors}}}};
     write_content(in_folder("moving_state.json"), root.dump());
     return "moving_state.json";
   }
@@ -112,20 +122,25 @@ TEST_F(AdoptedState, TimeStartsAtZeroUnlessAsked) {
 TEST_F(AdoptedState, KeysAboutOtherParticlesAreRefused) {
   const std::string start = moving_discs();
   for (const std::string key : {"width = \"1 mm\"", "height = 1e-3"})
-    EXPECT_THAT(error_from(dynamics(2, "[box]\n" + key + "\n"), start), HasSubstr("it is 0.0005 in moving_state.json"));
-  EXPECT_THAT(error_from(dynamics(2, "[material]\ndensity = 50\n"), start), HasSubstr("material.density = 50"));
+    EXPECT_THAT(error_from(dynamics(2, "[box]\n" + key + "\n"), start),
+                HasSubstr("it is 0.0005 in moving_state.json"));
+  EXPECT_THAT(error_from(dynamics(2, "[material]\ndensity = 50\n"), start),
+              HasSubstr("material.density = 50"));
   EXPECT_THAT(error_from(dynamics(2, "[particles]\nN = 13\n"), start),
-              HasSubstr("particles.N = 13 (it is 12 in moving_state.json, whose particles are taken as they are); leave the key away"));
+              HasSubstr("particles.N = 13 (it is 12 in moving_state.json, whose particles are taken as they "
+                        "are); leave the key away"));
   EXPECT_THAT(error_from(dynamics(2, "[particles]\nedge_fuzziness = 1\n"), start),
               HasSubstr("the particles are taken from moving_state.json"));
-  EXPECT_EQ(error_from(dynamics(2, "[particles]\nN = 12\n[box]\nwidth = \"500 um\"\n"), start), "") << "as they are";
+  EXPECT_EQ(error_from(dynamics(2, "[particles]\nN = 12\n[box]\nwidth = \"500 um\"\n"), start), "")
+      << "as they are";
 }
 
 TEST_F(AdoptedState, TheFrequencyIsThatOfTheDiscsInEitherFidelity) {
   for (const std::string physics : {"documented", "particleshear-1.0.2"}) {
     const std::string of_discs =
         "[particles]\nN = 24\ncut_lines = 0\n[material]\ndensity = 300\nyoung_modulus = 5000\n";
-    const std::string shear = "experiment = \"oscillatory_shear\"\n", model = "physics = \"" + physics + "\"\n";
+    const std::string shear = "experiment = \"oscillatory_shear\"\n",
+                      model = "physics = \"" + physics + "\"\n";
     const Case whole = case_of(shear + model + of_discs);
     const double frequency = derived(derive(whole, nullptr), "frequency");
     record("gel.h5", case_of("experiment = \"dynamics\"\n" + model + of_discs + "[time]\nsteps = 3\n"));
@@ -143,8 +158,11 @@ TEST_F(AdoptedState, WhatTheCaseNamesIsApplied) {
     const InitialState initial = load("named.h5");
     return adopt_state(dynamics(1, more), &initial);
   };
-  record("named.h5", dynamics(2, "[material]\nelastic_law = \"hertz\"\nslip = \"freeze\"\nlever_arm = \"radius\"\n"
-                                 "friction = 0.3\n[box]\nplates = \"repulsive\"\n"), start);
+  record("named.h5",
+         dynamics(2,
+                  "[material]\nelastic_law = \"hertz\"\nslip = \"freeze\"\nlever_arm = \"radius\"\n"
+                  "friction = 0.3\n[box]\nplates = \"repulsive\"\n"),
+         start);
   EXPECT_EQ(adopted("").material.elastic_law, "hertz");
   EXPECT_EQ(adopted("").material.slip, "freeze");
   EXPECT_EQ(adopted("").material.lever_arm, "radius");

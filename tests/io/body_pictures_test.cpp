@@ -1,4 +1,4 @@
-#include "supple/io/body_pictures.hpp"
+#include "supple/io/run/body_pictures.hpp"
 
 #include <gmock/gmock.h>
 
@@ -57,7 +57,8 @@ TEST_F(BodyPictures, SuggestTheColourThatWasMeant) {
     return "";
   };
   EXPECT_THAT(message("presure"), ::testing::HasSubstr("no colour 'presure'; did you mean 'pressure'?"));
-  EXPECT_THAT(message("temperature"), ::testing::HasSubstr("choose from 'id', 'area', 'contacts', 'pressure'"));
+  EXPECT_THAT(message("temperature"),
+              ::testing::HasSubstr("choose from 'id', 'area', 'contacts', 'pressure'"));
   EXPECT_THROW(draw_body_snapshot(in_folder("b.svg"), run, 3), Error);
 }
 

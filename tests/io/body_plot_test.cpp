@@ -1,4 +1,4 @@
-#include "supple/io/body_plot.hpp"
+#include "supple/io/run/body_plot.hpp"
 
 #include <gmock/gmock.h>
 
@@ -17,8 +17,8 @@ class BodyPlot : public testing::TemporaryFolder {
  protected:
   using Rows = std::vector<std::vector<double>>;
   /// The figure of a run with this table, as SVG.
-  std::string figure(const Case& c, const std::string& table, const std::vector<Column>& columns, const Rows& rows,
-                     const std::vector<std::pair<std::string, double>>& results = {}) {
+  std::string figure(const Case& c, const std::string& table, const std::vector<Column>& columns,
+                     const Rows& rows, const std::vector<std::pair<std::string, double>>& results = {}) {
     const std::string run = in_folder("run.h5");
     FileRecorder recorder(run, c, "", Existing::replace);
     testing::record_bodies(recorder, 1);
@@ -30,7 +30,9 @@ class BodyPlot : public testing::TemporaryFolder {
     return content_of(in_folder("a.svg"));
   }
   /// Points of a colour of line_palette: filled circles.
-  static int points(const std::string& svg, const std::string& rgb) { return count_of(svg, "fill:rgb(" + rgb + ")"); }
+  static int points(const std::string& svg, const std::string& rgb) {
+    return count_of(svg, "fill:rgb(" + rgb + ")");
+  }
 };
 
 constexpr const char* blue = "26.666667%,46.666667%,66.666667%";
@@ -39,7 +41,8 @@ const std::vector<Column> pressure_columns{
     {"packing_fraction", "", ""}, {"pressure", "k_a a0", ""}, {"branch", "", ""}};
 
 TEST_F(BodyPlot, CompressionShowsBothBranchesThatMeetAtTheTop) {
-  const BodyPlot::Rows rows{{0.84, 1e-7, 1}, {0.85, 1e-3, 1}, {0.90, 1e-2, 1}, {0.852, 1e-3, -1}, {0.843, 1e-7, -1}};
+  const BodyPlot::Rows rows{
+      {0.84, 1e-7, 1}, {0.85, 1e-3, 1}, {0.90, 1e-2, 1}, {0.852, 1e-3, -1}, {0.843, 1e-7, -1}};
   const std::string svg = figure(testing::body_case("compression"), "packing", pressure_columns, rows);
   EXPECT_EQ(points(svg, blue), 3 + 1);  // and the legend's
   EXPECT_EQ(points(svg, red), 3 + 1);
@@ -52,7 +55,8 @@ TEST_F(BodyPlot, CompressionShowsBothBranchesThatMeetAtTheTop) {
 TEST_F(BodyPlot, JammingShowsPressuresNearTheWantedOne) {
   Case c = testing::body_case("jamming");
   c.jamming.pressure = 1e-4;
-  const BodyPlot::Rows rows{{0.1, 0, 0}, {0.8, 1e-15, 0}, {0.84, 3e-5, 0}, {0.85, 3e-4, 0}, {0.845, 1.005e-4, 0}};
+  const BodyPlot::Rows rows{
+      {0.1, 0, 0}, {0.8, 1e-15, 0}, {0.84, 3e-5, 0}, {0.85, 3e-4, 0}, {0.845, 1.005e-4, 0}};
   const std::string svg = figure(c, "packing", pressure_columns, rows);
   EXPECT_EQ(points(svg, blue), 3 + 1);
   EXPECT_EQ(count_of(svg, "stroke-dasharray"), 2);  // the wanted pressure and its legend
@@ -66,9 +70,10 @@ TEST_F(BodyPlot, UniaxialCompressionShowsForceAgainstStrain) {
 }
 
 TEST_F(BodyPlot, MotionsShowEnergiesAndTheHeap) {
-  const std::vector<Column> columns{{"time", "", ""},         {"potential_energy", "", ""}, {"kinetic_energy", "", ""},
-                                    {"total_energy", "", ""}, {"pressure", "k_a a0", ""},   {"front", "", ""},
-                                    {"top", "", ""}};
+  const std::vector<Column> columns{
+      {"time", "", ""},         {"potential_energy", "", ""}, {"kinetic_energy", "", ""},
+      {"total_energy", "", ""}, {"pressure", "k_a a0", ""},   {"front", "", ""},
+      {"top", "", ""}};
   const BodyPlot::Rows rows{{0, 1, 2, 3, 0.1, 5, 6}, {1, 2, 1, 3, 0.2, 7, 4}};
   for (const std::string experiment : {"dynamics", "slump"}) {
     const std::string svg = figure(testing::body_case(experiment), "motion", columns, rows);

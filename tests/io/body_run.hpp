@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/run/run_file.hpp"
 
 namespace supple::testing {
 
@@ -28,8 +28,8 @@ inline Frame body_frame(int k) {
   frame.step = k;
   frame.time = 0.25 * k;
   frame.length = {10, 10 - 0.25 * k};
-  for (const Vec2& x :
-       {Vec2{3, 3}, Vec2{5, 3}, Vec2{5, 5}, Vec2{3, 5}, Vec2{8, 4}, Vec2{5.7, 3}, Vec2{6.8, 4}, Vec2{5.7, 5}}) {
+  for (const Vec2& x : {Vec2{3, 3}, Vec2{5, 3}, Vec2{5, 5}, Vec2{3, 5}, Vec2{8, 4}, Vec2{5.7, 3},
+                        Vec2{6.8, 4}, Vec2{5.7, 5}}) {
     frame.position.push_back(x + Vec2{0.1 * k, 0});
     frame.velocity.push_back({0.4, 0.1 * k});
     frame.force.push_back({0.01, 0.02 * k});

@@ -1,4 +1,4 @@
-#include "supple/io/case_file.hpp"
+#include "supple/io/text/case_file.hpp"
 
 #include <gmock/gmock.h>
 
@@ -85,7 +85,8 @@ TEST(CaseFile, WrongType) {
               HasSubstr("must be true or false, not an integer (1)"));
   EXPECT_THAT(error_of("[particles]\npermanent_links = \"True\"\n"), HasSubstr("; write true"));
   EXPECT_THAT(error_of("", {"particles.permanent_links=No"}), HasSubstr("; write false"));
-  EXPECT_THAT(error_of("", {"seed=18446744073709551615"}), HasSubstr("; integers go up to 9223372036854775807"));
+  EXPECT_THAT(error_of("", {"seed=18446744073709551615"}),
+              HasSubstr("; integers go up to 9223372036854775807"));
   EXPECT_THAT(error_of("[shear]\namplitude = \"0,2\"\n"), HasSubstr("; write 0.2, without quotes"));
   EXPECT_THAT(error_of("[material]\nslip = 1\n"), HasSubstr("must be a string, not an integer (1)"));
   EXPECT_THAT(error_of("[material]\nfriction = [1]\n"), HasSubstr("must be a number, not a list"));
@@ -109,7 +110,8 @@ TEST(CaseFile, OutOfRangeSaysTheRangeAndTheUnit) {
   EXPECT_THAT(error_of("[particles]\nN = 9000000000\n"), HasSubstr("out of range"));
 }
 
-/// Every parameter that counts with an int: one more than it holds is refused, not wrapped to something small.
+/// Every parameter that counts with an int: one more than it holds is refused, not wrapped to something
+/// small.
 TEST(CaseFile, IntegersDoNotWrap) {
   int tried = 0;
   Case defaults;
@@ -124,7 +126,8 @@ TEST(CaseFile, IntegersDoNotWrap) {
     }
   });
   EXPECT_GT(tried, 8);
-  EXPECT_THAT(error_of("[particles]\nmax_cut_tries = 4294967297\n"), HasSubstr("it must be from 1 to 2147483647"));
+  EXPECT_THAT(error_of("[particles]\nmax_cut_tries = 4294967297\n"),
+              HasSubstr("it must be from 1 to 2147483647"));
 }
 
 TEST(CaseFile, InvalidChoice) {

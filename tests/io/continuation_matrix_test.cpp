@@ -1,4 +1,5 @@
-/// What a user can go on with: each experiment from each kind of file either goes on right or is refused with a reason.
+/// What a user can go on with: each experiment from each kind of file either goes on right or is refused with
+/// a reason.
 #include "tests/io/continued_run.hpp"
 
 namespace supple {
@@ -86,7 +87,8 @@ cut_lines = 0
 [box]
 plates = "none"
 [shear]
-rate = ")" + (physics == "documented" ? "2000*cos(3000*t)" : "0") + R"("
+rate = ")" + (physics == "documented" ? "2000*cos(3000*t)" : "0") +
+                     R"("
 [time]
 steps = 60)"));
     record("plates.h5", case_of(R"x(experiment = "dynamics"
@@ -102,7 +104,8 @@ steps = 60)x"));
 
 TEST_F(ContinuationMatrix, EachStateActsAsItDid) {
   make_files();
-  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"})
+  for (const std::string file :
+       {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"})
     expect_same_forces(file);
 }
 
@@ -112,8 +115,8 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
                     periodic = "is periodic", walls = "lies between walls", open = "lies under gravity",
                     made = "is prepared already", other = "is about discs of microgels";
   // One column for each experiment; empty: it goes on.
-  const std::vector<std::string> experiments{"oscillatory_shear", "dynamics", "jamming", "compression",
-                                             "uniaxial_compression", "slump", "preparation"};
+  const std::vector<std::string> experiments{"oscillatory_shear",    "dynamics", "jamming",    "compression",
+                                             "uniaxial_compression", "slump",    "preparation"};
   const std::map<std::string, std::vector<std::string>> matrix{
       {"gel.h5", {"", "", microgel, microgel, microgel, microgel, made}},
       {"package.h5", {"", "", microgel, microgel, microgel, microgel, made}},
@@ -125,20 +128,24 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
     for (const std::string& file : {run_name, exported(run_name)})
       for (std::size_t k = 0; k < experiments.size(); ++k) {
         const std::string error =
-            error_from(
-            case_of("experiment = \"" + experiments[k] + "\"\n" + (experiments[k] == "dynamics" ? "[time]\nsteps = 3\n" : "")),
-            file);
+            error_from(case_of("experiment = \"" + experiments[k] + "\"\n" +
+                               (experiments[k] == "dynamics" ? "[time]\nsteps = 3\n" : "")),
+                       file);
         if (reasons[k].empty()) EXPECT_EQ(error, "") << file << " to " << experiments[k];
-        else EXPECT_THAT(error, HasSubstr(k == 0 && file.ends_with("_packing.json") ? "about discs" : reasons[k]))
-            << file << " to " << experiments[k];
+        else
+          EXPECT_THAT(error,
+                      HasSubstr(k == 0 && file.ends_with("_packing.json") ? "about discs" : reasons[k]))
+              << file << " to " << experiments[k];
       }
 }
 
 TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {
   make_files();
-  for (const std::string file : {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"}) {
+  for (const std::string file :
+       {"jam.h5", "rigid.h5", "box.h5", "heap.h5", "gel.h5", "plates.h5", "package.h5"}) {
     const auto steps = [&](int n) {
-      return case_of("experiment = \"dynamics\"\n[initial]\nkeep_time = true\n[time]\nsteps = " + std::to_string(n));
+      return case_of("experiment = \"dynamics\"\n[initial]\nkeep_time = true\n[time]\nsteps = " +
+                     std::to_string(n));
     };
     record("whole.h5", steps(40), file);
     record("first.h5", steps(15), file);
@@ -177,7 +184,8 @@ TEST_F(ContinuationMatrix, MotionThatTheCaseNamesIsGivenBetweenWallsThatHold) {
 [motion]
 kinetic_energy = 1e-3
 [time]
-steps = 3000)"), file);
+steps = 3000)"),
+           file);
     const System<2> s = load("moved.h5").system;
     EXPECT_NE(s.state.velocity[0], Vec2{});
     for (const Vec2& x : s.state.position)

@@ -5,8 +5,8 @@
 
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/state/state_file.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/package/reference.hpp"
 
@@ -71,7 +71,8 @@ TEST_P(Continuation, HasTheBitsOfTheWholeRun) {
 
 INSTANTIATE_TEST_SUITE_P(All, Continuation,
                          ::testing::Combine(::testing::Values("documented", "particleshear-1.0.2"),
-                                            ::testing::Values("ensemble12_linked.json", "pair_free_stick_mu0.5.json")));
+                                            ::testing::Values("ensemble12_linked.json",
+                                                              "pair_free_stick_mu0.5.json")));
 
 }  // namespace
 }  // namespace supple

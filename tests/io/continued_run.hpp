@@ -4,10 +4,10 @@
 
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/io/case_file.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/packing_file.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/state/packing_file.hpp"
+#include "supple/io/state/state_file.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 namespace supple::testing {
@@ -24,7 +24,8 @@ class ContinuedRun : public TemporaryFolder {
     return name.ends_with("_packing.json") ? as_initial(read_packing_json(in_folder(name)))
                                            : read_state(in_folder(name));
   }
-  /// Runs the case from `state` (a name of this folder; empty: from nothing) into `name`, as the command does.
+  /// Runs the case from `state` (a name of this folder; empty: from nothing) into `name`, as the command
+  /// does.
   void record(const std::string& name, Case c, const std::string& state = "") const {
     std::optional<InitialState> initial;
     if (!state.empty()) initial = load(state);

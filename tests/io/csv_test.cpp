@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "supple/io/csv.hpp"
-#include "supple/io/file_recorder.hpp"
+#include "supple/io/export/csv.hpp"
+#include "supple/io/run/file_recorder.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/package/reference.hpp"
@@ -27,19 +27,20 @@ ReferenceTable parsed_csv(const std::string& path) {
 
 /// The names that the table "stress" gives to the columns of the package's trajectories.
 std::string table_name(std::string name) {
-  static const std::map<std::string, std::string> names{{"stress_tensor_LW", "love_weber"},
-                                                        {"stress_tensor_with_external_forces", "external"},
-                                                        {"stress_tensor_unbalanced_forces", "linear_acceleration"},
-                                                        {"stress_tensor_linear_acceleration_otsuki", "otsuki"},
-                                                        {"stress_tensor_unbalanced_torque", "tangential_torque"},
-                                                        {"stress_tensor_internal_torque", "internal_torque"},
-                                                        {"stress_tensor_spin_kinetic_energy", "centrifugal"},
-                                                        {"overall_stress_tensor", "overall"},
-                                                        {"quasistatic_shear_stress", "shear_stress_internal"},
-                                                        {"external_shear_stress", "shear_stress_external"},
-                                                        {"n_pair_register", "pair_register"},
-                                                        {"n_external_register", "external_register"},
-                                                        {"t", "t"}};
+  static const std::map<std::string, std::string> names{
+      {"stress_tensor_LW", "love_weber"},
+      {"stress_tensor_with_external_forces", "external"},
+      {"stress_tensor_unbalanced_forces", "linear_acceleration"},
+      {"stress_tensor_linear_acceleration_otsuki", "otsuki"},
+      {"stress_tensor_unbalanced_torque", "tangential_torque"},
+      {"stress_tensor_internal_torque", "internal_torque"},
+      {"stress_tensor_spin_kinetic_energy", "centrifugal"},
+      {"overall_stress_tensor", "overall"},
+      {"quasistatic_shear_stress", "shear_stress_internal"},
+      {"external_shear_stress", "shear_stress_external"},
+      {"n_pair_register", "pair_register"},
+      {"n_external_register", "external_register"},
+      {"t", "t"}};
   const bool component = name.size() > 3 && name[name.size() - 3] == '_';
   const std::string end = component ? name.substr(name.size() - 3) : "";
   const auto at = names.find(name.substr(0, name.size() - end.size()));
@@ -123,7 +124,8 @@ TEST_F(CsvTest, ATrajectoryOfThePackageComesBackAsItWas) {
   for (std::size_t r = 0; r < written.rows.size(); ++r) {
     ASSERT_EQ(written.rows[r].size(), reference.header.size());
     for (std::size_t k = 0; k + 1 < reference.header.size(); ++k)
-      EXPECT_EQ(std::stod(written.rows[r][k]), std::stod(reference.rows[3 * r][k])) << r << " " << reference.header[k];
+      EXPECT_EQ(std::stod(written.rows[r][k]), std::stod(reference.rows[3 * r][k]))
+          << r << " " << reference.header[k];
     auto expected = neighbors_of(reference.rows[3 * r].back());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(neighbors_of(written.rows[r].back()), expected);
@@ -138,8 +140,11 @@ TEST_F(CsvTest, ATrajectoryOfARunInSIIsInMicrometres) {
   info.body_begin.clear();
   info.units = si_units();
   to.begin(info);
-  to.declare("stress", {{"t", "s", ""}, {"shear_stress_internal", "Pa", ""}, {"shear_stress_external", "Pa", ""},
-                        {"pair_register", "", ""}, {"external_register", "", ""}});
+  to.declare("stress", {{"t", "s", ""},
+                        {"shear_stress_internal", "Pa", ""},
+                        {"shear_stress_external", "Pa", ""},
+                        {"pair_register", "", ""},
+                        {"external_register", "", ""}});
   to.append("stress", std::vector<double>{0.5, 3, 4, 8, 4});
   Frame f = sample_frame(1, 0);
   f.time = 0.5;
@@ -190,10 +195,11 @@ TEST_F(CsvTest, ContactsAreInSIWithTheirParts) {
   to.finish("complete");
   export_contacts(RunFile(in_folder("run.h5")), in_folder("run.csv"));
   const ReferenceTable written = parsed_csv(in_folder("run.csv"));
-  EXPECT_THAT(written.header, ::testing::ElementsAre("frame", "t [s]", "first", "second", "state", "elongation [m]",
-                                                     "normal_force [N/m]", "elastic_force [N/m]", "viscous_force [N/m]",
-                                                     "tangential_force [N/m]", "force_on_first_x [N/m]",
-                                                     "force_on_first_y [N/m]"));
+  EXPECT_THAT(
+      written.header,
+      ::testing::ElementsAre("frame", "t [s]", "first", "second", "state", "elongation [m]",
+                             "normal_force [N/m]", "elastic_force [N/m]", "viscous_force [N/m]",
+                             "tangential_force [N/m]", "force_on_first_x [N/m]", "force_on_first_y [N/m]"));
   const std::vector<double> expected{0, 0.5, 0, 2, 0, 2e-6, 5e-12, 4e-12, 1e-12, 0.25e-12, 3e-12, -2e-12};
   ASSERT_EQ(written.rows.size(), 1u);
   for (std::size_t k = 0; k < expected.size(); ++k)

@@ -68,39 +68,30 @@ class DamagedDataset {
   /// False where this damage means nothing for such values.
   bool apply(Damage damage, std::uint64_t seed) {
     switch (damage) {
-      case Damage::removed:
-        return H5Ldelete(file_, name_.c_str(), H5P_DEFAULT) >= 0;
+      case Damage::removed: return H5Ldelete(file_, name_.c_str(), H5P_DEFAULT) >= 0;
       case Damage::a_group:
         H5Ldelete(file_, name_.c_str(), H5P_DEFAULT);
         H5Gclose(H5Gcreate2(file_, name_.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
         return true;
-      case Damage::shorter:
-        return reshape(-1);
-      case Damage::longer:
-        return reshape(1);
-      case Damage::emptied:
-        return reshape(shape_.empty() ? 0 : -static_cast<std::int64_t>(shape_[0]));
+      case Damage::shorter: return reshape(-1);
+      case Damage::longer: return reshape(1);
+      case Damage::emptied: return reshape(shape_.empty() ? 0 : -static_cast<std::int64_t>(shape_[0]));
       case Damage::flattened:
         if (shape_.size() < 2) return false;
         shape_ = {count()};
         return replace();
-      case Damage::nested:
-        shape_.push_back(1);
-        return replace();
+      case Damage::nested: shape_.push_back(1); return replace();
       case Damage::enormous:
         if (shape_.empty()) return false;
         shape_[0] = std::uint64_t{1} << 40;
         return replace();
-      case Damage::other_type:
-        return change_type();
+      case Damage::other_type: return change_type();
       case Damage::not_utf8:
         if (H5Tget_class(type_) != H5T_STRING || values_.size() < 2) return false;
         values_[0] = '\xff';
         return replace();
-      case Damage::no_attributes:
-        return remove_attributes();
-      default:
-        return change_number(damage, seed);
+      case Damage::no_attributes: return remove_attributes();
+      default: return change_number(damage, seed);
     }
   }
 

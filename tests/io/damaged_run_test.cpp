@@ -1,13 +1,13 @@
 /// Runs whose file is sound HDF5 but says what cannot be: sizes, indices, types and texts are not believed.
 #include <chrono>
 
-#include "supple/io/body_pictures.hpp"
-#include "supple/io/csv.hpp"
-#include "supple/io/run_file.hpp"
-#include "supple/io/run_merge.hpp"
-#include "supple/io/run_pictures.hpp"
-#include "supple/io/trajectory.hpp"
-#include "supple/io/utf8.hpp"
+#include "supple/core/utf8.hpp"
+#include "supple/io/export/csv.hpp"
+#include "supple/io/export/trajectory.hpp"
+#include "supple/io/run/body_pictures.hpp"
+#include "supple/io/run/run_file.hpp"
+#include "supple/io/run/run_merge.hpp"
+#include "supple/io/run/run_pictures.hpp"
 #include "tests/io/continued_run.hpp"
 #include "tests/io/damage.hpp"
 

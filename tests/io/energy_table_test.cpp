@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "supple/io/csv.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/export/csv.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/io/continued_run.hpp"
 
 namespace supple {

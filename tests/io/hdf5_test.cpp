@@ -1,16 +1,16 @@
 #include <gmock/gmock.h>
 
-#include "supple/io/hdf5.hpp"
+#include "supple/io/hdf5/hdf5.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 namespace supple::h5 {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using supple::testing::content_of;
 using supple::testing::file_error_of;
 using supple::testing::write_content;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 class Hdf5 : public supple::testing::TemporaryFolder {};
 
 TEST_F(Hdf5, ValuesAndAttributesComeBackAsTheyWere) {
@@ -61,7 +61,8 @@ TEST_F(Hdf5, RowsOfOtherFilesAreJoinedWithTheirAttributes) {
     to.create_like(from, name, 2 * rows);
     to.write_rows_of(from, name, 0);
     to.write_rows_of(from, name, rows);
-    EXPECT_THAT(file_error_of([&] { to.write_rows_of(from, name, rows + 1); }), HasSubstr("has another shape"));
+    EXPECT_THAT(file_error_of([&] { to.write_rows_of(from, name, rows + 1); }),
+                HasSubstr("has another shape"));
   }
   EXPECT_THAT(to.read<double>("speed"), ElementsAre(1, 2, 3, 4, 1, 2, 3, 4));
   EXPECT_EQ(to.read<double>("large"), std::vector<double>(20000, 1.5));

@@ -1,4 +1,4 @@
-#include "supple/io/images.hpp"
+#include "supple/io/run/images.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,10 @@ TEST_F(ImagesTest, AreNumberedEvenlySpacedAndOfOneSize) {
   SnapshotOptions small;
   small.dots_per_inch = 40;
   EXPECT_EQ(draw_images(folder(), "png", two_discs(), source(9, asked), 3, small,
-                        [&](std::int64_t done, std::int64_t total) { heard = done; EXPECT_EQ(total, 3); }),
+                        [&](std::int64_t done, std::int64_t total) {
+                          heard = done;
+                          EXPECT_EQ(total, 3);
+                        }),
             3);
   EXPECT_EQ(heard, 3);
   EXPECT_EQ(files(), 3u);

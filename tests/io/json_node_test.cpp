@@ -1,4 +1,4 @@
-#include "supple/io/json_node.hpp"
+#include "supple/io/state/json_node.hpp"
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "supple/io/number_text.hpp"
+#include "supple/io/text/number_text.hpp"
 
 namespace supple {
 namespace {

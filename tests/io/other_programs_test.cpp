@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "supple/io/run_file.hpp"
-#include "supple/io/run_scene.hpp"
+#include "supple/draw/scene/run_scene.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 
 namespace supple {

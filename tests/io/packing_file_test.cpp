@@ -1,5 +1,5 @@
 /// Packings as JSON, and a published kind of packing that an independent program has evaluated.
-#include "supple/io/packing_file.hpp"
+#include "supple/io/state/packing_file.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/force/shape_terms.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/state/state_file.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/contact_network.hpp"
@@ -79,7 +79,8 @@ TEST_F(ReferencePacking, Contacts) {
   const ContactNetwork network = contact_network(system_, contacts_);
   EXPECT_EQ(contacts_.size(), expected_.at("vertex_contacts"));
   EXPECT_EQ(network.pairs.size(), expected_.at("particle_contacts"));
-  EXPECT_EQ(network.contacts_of_bodies(), expected_.at("contacts_per_particle").get<std::vector<std::int32_t>>());
+  EXPECT_EQ(network.contacts_of_bodies(),
+            expected_.at("contacts_per_particle").get<std::vector<std::int32_t>>());
 }
 
 TEST_F(ReferencePacking, Eigenvalues) {
@@ -92,11 +93,12 @@ TEST_F(ReferencePacking, Eigenvalues) {
         h(2 * b.a + c, 2 * b.b + d) += b.h[c][d];
         if (b.a != b.b) h(2 * b.b + d, 2 * b.a + c) += b.h[c][d];
       }
-  const Eigen::VectorXd found = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd found =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(h, Eigen::EigenvaluesOnly).eigenvalues();
   const auto expected = expected_.at("eigenvalues_by_differences").get<std::vector<double>>();
   ASSERT_EQ(static_cast<std::size_t>(found.size()), expected.size());
-  // Differences of forces are good to 4e-10 of an eigenvalue, and to 3e-12 where it is small: among them five zeros,
-  // two translations and a rattler of three degrees of freedom.
+  // Differences of forces are good to 4e-10 of an eigenvalue, and to 3e-12 where it is small: among them five
+  // zeros, two translations and a rattler of three degrees of freedom.
   for (std::size_t k = 0; k < expected.size(); ++k)
     EXPECT_NEAR(found(static_cast<Eigen::Index>(k)), expected[k], 3e-12 + 4e-10 * std::abs(expected[k])) << k;
 }
@@ -113,7 +115,8 @@ class PackingFile : public TemporaryFolder {
   }
   /// The error of reading a small packing in which `from`, a regular expression, is replaced once.
   std::string error_with(const std::string& from, const std::string& to) const {
-    const std::string text = std::regex_replace(small, std::regex(from), to, std::regex_constants::format_first_only);
+    const std::string text =
+        std::regex_replace(small, std::regex(from), to, std::regex_constants::format_first_only);
     EXPECT_NE(text, small) << from;
     return file_error_of([&] { read(text); });
   }
@@ -162,7 +165,8 @@ TEST_F(PackingFile, WhatIsWrittenIsReadBack) {
 
   PackingDraw draw;
   draw.shape = {1 / 3., 1 / 7., 0.1, 1 / 9.};
-  StoredPacking droplets{random_polygons(draw), {1 / 3., false}, {}, {}};  // tension, a sheared cell that is not square
+  StoredPacking droplets{
+      random_polygons(draw), {1 / 3., false}, {}, {}};  // tension, a sheared cell that is not square
   add_disc_body(droplets.system, {1 / 3., 2}, 1 / 7.);
   droplets.system.box.periodic = {true, false};
   expect_same_packing(rewritten(droplets), droplets);
@@ -201,7 +205,8 @@ TEST_F(PackingFile, WhatTheLayoutCannotHoldIsRefused) {
 
 TEST_F(PackingFile, ErrorsSayFileParticleAndWhat) {
   EXPECT_THAT(file_error_of([&] { read_packing_json(in_folder("none.json")); }), HasSubstr("No such file"));
-  EXPECT_THAT(file_error_of([&] { read(small.substr(0, 100)); }), HasSubstr("as a packing (it ends too early"));
+  EXPECT_THAT(file_error_of([&] { read(small.substr(0, 100)); }),
+              HasSubstr("as a packing (it ends too early"));
   EXPECT_THAT(error_with("\"k_b\": 0.5, ", ""), HasSubstr("packing.json has no \"k_b\""));
   EXPECT_THAT(error_with("\"k_l\": 2", "\"k_l\": -2"), HasSubstr("packing.json: k_l is negative"));
   EXPECT_THAT(error_with("\"box\": 10", "\"box\": 0"), HasSubstr("box is 0, not positive"));
@@ -209,16 +214,20 @@ TEST_F(PackingFile, ErrorsSayFileParticleAndWhat) {
   EXPECT_THAT(error_with("\"box\": 10", "\"box\": [10]"), HasSubstr("box is not two numbers"));
   EXPECT_THAT(error_with("\"box\"", "\"stiffness\": \"soft\", \"box\""),
               HasSubstr("\"soft\", not relative or absolute"));
-  EXPECT_THAT(error_with("\"box\"", "\"periodic\": [1, 0], \"box\""), HasSubstr("periodic[0] is not true or false"));
+  EXPECT_THAT(error_with("\"box\"", "\"periodic\": [1, 0], \"box\""),
+              HasSubstr("periodic[0] is not true or false"));
   EXPECT_THAT(error_with("\"a0\": 2, ", ""), HasSubstr("packing.json: particles[1] has no \"a0\""));
   EXPECT_THAT(error_with("\"a0\": 2", "\"a0\": 0"), HasSubstr("particles[1].a0 is 0, not positive"));
   EXPECT_THAT(error_with("\"l0\": 0.5", "\"l0\": 0"), HasSubstr("particles[1].l0 is not positive"));
   EXPECT_THAT(error_with("\"l0\": 0.5", "\"l0\": [1, 1, 1]"), HasSubstr("particles[1].l0 is a list"));
-  EXPECT_THAT(error_with("\"theta0\": 0,", "\"theta0\": [1, 2],"), HasSubstr("theta0 has 2 numbers for 3 vertices"));
-  EXPECT_THAT(error_with("\"sigma\": 0.5", "\"sigma\": \"x\""), HasSubstr("particles[1].sigma is not a number"));
+  EXPECT_THAT(error_with("\"theta0\": 0,", "\"theta0\": [1, 2],"),
+              HasSubstr("theta0 has 2 numbers for 3 vertices"));
+  EXPECT_THAT(error_with("\"sigma\": 0.5", "\"sigma\": \"x\""),
+              HasSubstr("particles[1].sigma is not a number"));
   EXPECT_THAT(error_with(", \\[10, 11\\]", ""), HasSubstr("particles[1].x has 2 vertices"));
   EXPECT_THAT(error_with("\\[10, 11\\]", "[10]"), HasSubstr("particles[1].x[2] is not two numbers"));
-  EXPECT_THAT(error_with("\\[10, 11\\]", "[10, 7]"), HasSubstr("particles[1].x does not run counter-clockwise"));
+  EXPECT_THAT(error_with("\\[10, 11\\]", "[10, 7]"),
+              HasSubstr("particles[1].x does not run counter-clockwise"));
   EXPECT_THAT(error_with("\\[11, 9\\]", "[1, 9]"), HasSubstr("particles[1].x[0] is more than half a cell"));
   EXPECT_THAT(error_with("\\[\\s*\\{[^]*$", "[]}"), HasSubstr("particles is empty"));
 }

@@ -1,4 +1,4 @@
-#include "supple/io/progress.hpp"
+#include "supple/io/text/progress.hpp"
 
 #include <gmock/gmock.h>
 

@@ -5,8 +5,8 @@
 #include <regex>
 
 #include "supple/experiment/initial_state.hpp"
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/published_text.hpp"
+#include "supple/io/export/published_text.hpp"
+#include "supple/io/run/file_recorder.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/package/reference.hpp"
@@ -52,13 +52,18 @@ Case sample_call() {
 
 const std::map<std::string, std::string>& table_names() {
   static const std::map<std::string, std::string> names{
-      {"t", "t"}, {"strain", "strain"}, {"strain_rate", "strain_rate"},
+      {"t", "t"},
+      {"strain", "strain"},
+      {"strain_rate", "strain_rate"},
       {"stress_measured_at_surface", "shear_stress_external"},
       {"shear_stress_internal_stress-tensor", "shear_stress_internal"},
-      {"stress_tensor_Love_Weber", "love_weber"}, {"stress_tensor_peculiar_acceleration_otsuki", "otsuki"},
-      {"stress_tensor_from_external_forces", "external"}, {"stress_tensor_linear_acceleration", "linear_acceleration"},
+      {"stress_tensor_Love_Weber", "love_weber"},
+      {"stress_tensor_peculiar_acceleration_otsuki", "otsuki"},
+      {"stress_tensor_from_external_forces", "external"},
+      {"stress_tensor_linear_acceleration", "linear_acceleration"},
       {"stress_tensor_tangential_torque", "tangential_torque"},
-      {"stress_tensor_internal_tangential_torque", "internal_torque"}, {"stress_tensor_centrifugal", "centrifugal"},
+      {"stress_tensor_internal_tangential_torque", "internal_torque"},
+      {"stress_tensor_centrifugal", "centrifugal"},
       {"stress_tensor_overall", "overall"}};
   return names;
 }
@@ -97,7 +102,9 @@ void record_sample_text(Recorder& to) {
   info.inertia.assign(16, 1);
   info.particle.assign(16, 0);
   to.begin(info);
-  const auto value = [&](const char* group, const char* name, double x) { to.value(group, {name, "", ""}, x); };
+  const auto value = [&](const char* group, const char* name, double x) {
+    to.value(group, {name, "", ""}, x);
+  };
   value("constants", "mean_mass", in_si(sample_number("Particle mass m = "), 1e-6));
   value("constants", "link_spring_constant", in_si(sample_number("Characteristic spring constant = "), 1e-6));
   value("constants", "time_constant", sample_number("Characteristic time constant = "));
@@ -147,28 +154,32 @@ TEST_F(PublishedText, TheSampleByteForByte) {
 TEST_F(PublishedText, ControlsHaveTheirOwnTitles) {
   Case c = sample_call();
   c.particles.permanent_links = false;
-  EXPECT_THAT(text_of(c), ::testing::StartsWith("Dermal filler control ensemble: No permanent links\n\tN=16 spheres"));
+  EXPECT_THAT(text_of(c),
+              ::testing::StartsWith("Dermal filler control ensemble: No permanent links\n\tN=16 spheres"));
 }
 
 TEST_F(PublishedText, BulkControl) {
   Case c = sample_call();
   c.particles.cut_lines = 0;
-  EXPECT_THAT(text_of(c), ::testing::StartsWith("Dermal filler control ensemble: no cut lines \n\tN=16 spheres"));
+  EXPECT_THAT(text_of(c),
+              ::testing::StartsWith("Dermal filler control ensemble: no cut lines \n\tN=16 spheres"));
 }
 
 TEST_F(PublishedText, WithoutTensorsItSaysSo) {
   EXPECT_THAT(
       text_of(sample_call(), false),
-      ::testing::EndsWith("Detailed stress tensor data\n\tNot saving detailed stress tensor data. If you wish to save "
-                          "this data, pass\n\t  saveStressTensorData=True"));
+      ::testing::EndsWith(
+          "Detailed stress tensor data\n\tNot saving detailed stress tensor data. If you wish to save "
+          "this data, pass\n\t  saveStressTensorData=True"));
 }
 
 TEST_F(PublishedText, ARunWithoutResultsIsAnError) {
   FileRecorder to(in_folder("run.h5"), sample_call(), "");
   record_sample(to, 3, 2);
   to.finish("interrupted");
-  EXPECT_THAT(file_error_of([&] { export_published_text(RunFile(in_folder("run.h5")), in_folder("run.txt")); }),
-              HasSubstr("has no number"));
+  EXPECT_THAT(
+      file_error_of([&] { export_published_text(RunFile(in_folder("run.h5")), in_folder("run.txt")); }),
+      HasSubstr("has no number"));
   EXPECT_FALSE(std::filesystem::exists(in_folder("run.txt")));
 }
 

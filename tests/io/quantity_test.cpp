@@ -1,4 +1,4 @@
-#include "supple/io/quantity.hpp"
+#include "supple/io/text/quantity.hpp"
 
 #include <gmock/gmock.h>
 

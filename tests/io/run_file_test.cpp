@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 
-#include <csignal>
 #include <sys/wait.h>
+#include <csignal>
 
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/io/same_system.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -56,9 +56,10 @@ void expect_same(const Frame& a, const Frame& b) {
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     const ContactRow &x = a.contacts[c], &y = b.contacts[c];
-    EXPECT_EQ(
-        std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force, x.tangential_force),
-        std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force, y.tangential_force));
+    EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force,
+                       x.tangential_force),
+              std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force,
+                       y.tangential_force));
   }
 }
 
@@ -172,7 +173,10 @@ TEST_F(RunFileTest, AFailedRunKeepsWhatItHad) {
 }
 
 TEST_F(RunFileTest, WithoutFinishTheLastSegmentHoldsTheRest) {
-  { FileRecorder to = recorder(); record_sample(to, discs, steps); }
+  {
+    FileRecorder to = recorder();
+    record_sample(to, discs, steps);
+  }
   const RunFile run(path());
   expect_sample(run, steps);
   expect_sample_end(run);
@@ -324,7 +328,9 @@ with h5py.File(sys.argv[1]) as f:
     assert f['discs/radius'].attrs['unit'] == b'1e-06 m'
 )");
   const std::string log = in_folder("log");
-  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("read.py") + " " + path() + " >" + log + " 2>&1").c_str()), 0)
+  EXPECT_EQ(
+      std::system(("/usr/bin/python3 " + in_folder("read.py") + " " + path() + " >" + log + " 2>&1").c_str()),
+      0)
       << content_of(log);
 }
 

@@ -1,10 +1,10 @@
-#include "supple/io/run_pictures.hpp"
+#include "supple/io/run/run_pictures.hpp"
 
 #include <gtest/gtest.h>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/io/file_recorder.hpp"
+#include "supple/io/run/file_recorder.hpp"
 #include "tests/io/count_of.hpp"
 #include "tests/io/temporary_folder.hpp"
 

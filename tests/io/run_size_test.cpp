@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "supple/io/hdf5.hpp"
-#include "supple/io/run_file.hpp"
+#include "supple/io/hdf5/hdf5.hpp"
+#include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 
 namespace supple {

@@ -44,7 +44,8 @@ inline Frame sample_frame(int discs, int k) {
   frame.body["pressure"] = {k / 37., -k / 41.};
   frame.body["zeal"] = {k / 43., k / 47.};
   for (int c = 0; c < k % 4; ++c)
-    frame.contacts.push_back({c, c + 1, static_cast<ContactState>(1 + c % 3), k / 3., k / 7., c / 3., c / 7. + k});
+    frame.contacts.push_back(
+        {c, c + 1, static_cast<ContactState>(1 + c % 3), k / 3., k / 7., c / 3., c / 7. + k});
   return frame;
 }
 
@@ -107,10 +108,12 @@ inline Evaluation<2> sample_evaluation(int discs) {
   return evaluation;
 }
 
-/// Hands the recorder a preparation, `steps` rows of stress with a frame each, some numbers and the final state.
+/// Hands the recorder a preparation, `steps` rows of stress with a frame each, some numbers and the final
+/// state.
 inline void record_sample(Recorder& recorder, int discs, int steps) {
   recorder.begin(sample_info(discs));
-  recorder.declare("stress", {{"t", "s", "time"}, {"zeta", "Pa", "later in the alphabet"}, {"alpha", "Pa", ""}});
+  recorder.declare("stress",
+                   {{"t", "s", "time"}, {"zeta", "Pa", "later in the alphabet"}, {"alpha", "Pa", ""}});
   recorder.declare("empty", {{"t", "s", "time"}});
   recorder.value("constants", {"tau", "s", "characteristic time"}, 1e-5);
   for (int k = 0; k < steps; ++k) {

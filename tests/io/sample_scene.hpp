@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "supple/io/polygon_scene.hpp"
+#include "supple/draw/scene/polygon_scene.hpp"
 
 namespace supple::testing {
 
@@ -16,7 +16,8 @@ inline PolygonScene sample_scene() {
   scene.radius = {0.3, 0.3, 0.3, 0.7, 0.1, 0.1, 0.1, 0.1, 0.1};
   std::vector<Vec2> force;
   for (int i = 0; i < 9; ++i) force.push_back({std::sqrt(i), -1.0 / (3 + i)});
-  scene.of_sites = {{"force", force}, {"contact_count", std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7, -8}}};
+  scene.of_sites = {{"force", force},
+                    {"contact_count", std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7, -8}}};
   scene.of_bodies = {{"pressure", std::vector<double>{1e-7 / 3, 0, 2.5}},
                      {"velocity", std::vector<Vec2>{{1, 2}, {3, 1.0 / 9}, {5, 6}}}};
   return scene;

@@ -2,8 +2,8 @@
 
 #include <regex>
 
-#include "supple/io/file_recorder.hpp"
-#include "supple/io/state_file.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/state/state_file.hpp"
 #include "supple/model/convert.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -23,7 +23,8 @@ constexpr auto linked_pair = R"({
  "initial": {"t": 0.5, "shear": 0.125, "shear_rate": -3,
   "spheres": [
    {"x": 150, "y": 200, "vx": -10, "vy": 6, "phi": -1.5, "omega": 0.3, "r": 60.0, "m": 1, "inertia": 1800.0},
-   {"x": 262, "y": 380, "vx": 9, "vy": -4, "phi": -1.25, "omega": 0.25, "r": 70.0, "m": 1.3, "inertia": 3185.0},
+   {"x": 262, "y": 380, "vx": 9, "vy": -4, "phi": -1.25, "omega": 0.25, "r": 70.0, "m": 1.3,
+    "inertia": 3185.0},
    {"x": 200, "y": 10, "vx": 0, "vy": 0, "phi": 0, "omega": 0, "r": 60.0, "m": 1, "inertia": 1800.0}],
   "neighbors": [
    [{"j": 2, "type": "slip", "fp": 0, "eq": 0}, {"j": 1, "type": "permanent", "fp": 0.125, "eq": 130.0}],
@@ -55,7 +56,8 @@ TEST_F(StateFile, KeepsTheImagesOfLinks) {
   write_state_json(s, in_folder("again.json"));
   const InitialState again = read_state(in_folder("again.json"));
   EXPECT_EQ(again.system.pairs.image, s.system.pairs.image);
-  EXPECT_THAT(error_with(R"("fp": 0.125,)", R"("fp": 0.125, "image": [0.5, 0],)"), HasSubstr("not a number of cells"));
+  EXPECT_THAT(error_with(R"("fp": 0.125,)", R"("fp": 0.125, "image": [0.5, 0],)"),
+              HasSubstr("not a number of cells"));
 }
 
 TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
@@ -73,7 +75,8 @@ TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
   EXPECT_THAT(s.system.state.radius, ElementsAre(60, 70, 60));
   EXPECT_THAT(s.system.state.mass, ElementsAre(1, 1.3, 1));
   EXPECT_THAT(s.system.state.inertia, ElementsAre(1800, 3185, 1800));
-  EXPECT_THAT(s.system.state.mobility, ElementsAre(Mobility::free, Mobility::upper_plate, Mobility::lower_plate));
+  EXPECT_THAT(s.system.state.mobility,
+              ElementsAre(Mobility::free, Mobility::upper_plate, Mobility::lower_plate));
 
   const PairTable& pairs = s.system.pairs;
   EXPECT_THAT(pairs.first, ElementsAre(0, 0));
@@ -164,26 +167,33 @@ TEST_F(StateFile, ErrorsSayFileAndWhere) {
 
   EXPECT_THAT(error_with("\"initial\"", "\"start\""), HasSubstr("state.json has no \"initial\""));
   EXPECT_THAT(error_with("\"m\": 1.3, ", ""), HasSubstr("state.json: initial.spheres[1] has no \"m\""));
-  EXPECT_THAT(error_with("\"r\": 60", "\"r\": -60"), HasSubstr("initial.spheres[0].r is -60.0, not positive"));
+  EXPECT_THAT(error_with("\"r\": 60", "\"r\": -60"),
+              HasSubstr("initial.spheres[0].r is -60.0, not positive"));
   EXPECT_THAT(error_with("\"m\": 1,", "\"m\": 0,"), HasSubstr("initial.spheres[0].m is 0, not positive"));
   EXPECT_THAT(error_with("\"vx\": 9", "\"vx\": 1e999"), HasSubstr("state.json"));
-  EXPECT_THAT(error_with("\"vx\": 9", "\"vx\": \"fast\""), HasSubstr("initial.spheres[1].vx is not a number"));
+  EXPECT_THAT(error_with("\"vx\": 9", "\"vx\": \"fast\""),
+              HasSubstr("initial.spheres[1].vx is not a number"));
   EXPECT_THAT(error_with("\"size_y\": 400", "\"size_y\": 0"), HasSubstr("params.size_y is 0, not positive"));
-  EXPECT_THAT(error_with("\"applyingShear\": true", "\"applyingShear\": 1"), HasSubstr("is not true or false"));
+  EXPECT_THAT(error_with("\"applyingShear\": true", "\"applyingShear\": 1"),
+              HasSubstr("is not true or false"));
 }
 
 TEST_F(StateFile, InconsistentNeighboursAreErrors) {
-  EXPECT_THAT(error_with("\"j\": 2", "\"j\": 3"), HasSubstr("neighbors[0][0].j is not the number of another sphere"));
-  EXPECT_THAT(error_with("\"j\": 2", "\"j\": 0"), HasSubstr("neighbors[0][0].j is not the number of another sphere"));
+  EXPECT_THAT(error_with("\"j\": 2", "\"j\": 3"),
+              HasSubstr("neighbors[0][0].j is not the number of another sphere"));
+  EXPECT_THAT(error_with("\"j\": 2", "\"j\": 0"),
+              HasSubstr("neighbors[0][0].j is not the number of another sphere"));
   EXPECT_THAT(error_with("\"j\": 2", "\"j\": 1.5"), HasSubstr("is not the number of another sphere"));
   EXPECT_THAT(error_with("\"slip\"", "\"glued\""), HasSubstr("is \"glued\", not stick, slip or permanent"));
   EXPECT_THAT(error_with("\"slip\"", "\"stick\""), HasSubstr("spheres 0 and 2 give different types"));
   EXPECT_THAT(error_with("\"eq\": 130", "\"eq\": 120"), HasSubstr("is not the sum of the radii"));
   EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", ", []]}}"),
               HasSubstr("do not list each other"));
-  EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", "]}}"), HasSubstr("one list for each sphere"));
-  EXPECT_THAT(error_with("\\{\"j\": 2", "{\"j\": 1, \"type\": \"permanent\", \"fp\": 0, \"eq\": 130}, {\"j\": 2"),
-              HasSubstr("do not list each other exactly once"));
+  EXPECT_THAT(error_with(",\\s*\\[\\{\"j\": 0, \"type\": \"slip\"[^]*$", "]}}"),
+              HasSubstr("one list for each sphere"));
+  EXPECT_THAT(
+      error_with("\\{\"j\": 2", "{\"j\": 1, \"type\": \"permanent\", \"fp\": 0, \"eq\": 130}, {\"j\": 2"),
+      HasSubstr("do not list each other exactly once"));
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-/// States in files: bit for bit, of bodies in two and three dimensions; damage is refused, older files are read.
-#include "supple/io/system_archive.hpp"
+/// States in files: bit for bit, of bodies in two and three dimensions; damage is refused, older files are
+/// read.
+#include "supple/io/hdf5/system_archive.hpp"
 
 #include <gmock/gmock.h>
 
-#include "supple/io/body_archive.hpp"
+#include "supple/io/hdf5/body_archive.hpp"
 #include "supple/model/rigid.hpp"
 #include "tests/io/same_system.hpp"
 #include "tests/io/sample_run.hpp"
@@ -95,17 +96,22 @@ TEST_F(SystemArchive, DamageOfRigidBodiesIsRefused) {
   EXPECT_THAT(error_after_damage([](R& r) { r.spin.pop_back(); }), HasSubstr("differ in length"));
   EXPECT_THAT(error_after_damage([](R& r) { r.centre.pop_back(); }), HasSubstr("differ in length"));
   for (const std::vector<std::int32_t>& bodies : {std::vector{5, 2}, {2, 9}, {-1, 5}, {2, 2}})
-    EXPECT_THAT(error_after_damage([&](R& r) { r.body = bodies; }), HasSubstr("rigid bodies and bodies disagree"));
+    EXPECT_THAT(error_after_damage([&](R& r) { r.body = bodies; }),
+                HasSubstr("rigid bodies and bodies disagree"));
   System<2> equal;  // bodies of as many sites
   for (double x : {1, 4, 7}) add_polygon(equal, {x, 1}, 2, 6, 0, 1, {});
   for (int b : {1, 2}) make_rigid(equal, b);
   for (const std::vector<std::int32_t>& bodies : {std::vector{2, 1}, {1, 1}}) {
     equal.rigid.body = bodies;
-    EXPECT_THAT(file_error_of([&] { read_system<2>(written(equal)); }), HasSubstr("rigid bodies and bodies disagree"));
+    EXPECT_THAT(file_error_of([&] { read_system<2>(written(equal)); }),
+                HasSubstr("rigid bodies and bodies disagree"));
   }
-  EXPECT_THAT(error_after_damage([](R& r) { r.begin[1] += 1; }), HasSubstr("rigid bodies and bodies disagree"));
-  EXPECT_THAT(error_after_damage([](R& r) { r.offset.pop_back(); }), HasSubstr("rigid bodies and bodies disagree"));
-  EXPECT_THAT(error_after_damage([](R& r) { r.inertia[1] = 0; }), HasSubstr("rigid bodies and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.begin[1] += 1; }),
+              HasSubstr("rigid bodies and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.offset.pop_back(); }),
+              HasSubstr("rigid bodies and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.inertia[1] = 0; }),
+              HasSubstr("rigid bodies and bodies disagree"));
 }
 
 TEST_F(SystemArchive, DiscsHaveNoShapeAndNoFloor) {
@@ -159,15 +165,18 @@ TEST_F(SystemArchive, DamageIsRefused) {
               HasSubstr("differ in number"));
   EXPECT_THAT(error_after([](S& s) { std::swap(s.topology.hinge_begin[1], s.topology.hinge_begin[2]); }),
               HasSubstr("hinges and bodies disagree"));
-  EXPECT_THAT(error_after([](S& s) { s.topology.facet[3][1] = s.state.size(); }), HasSubstr("does not exist"));
+  EXPECT_THAT(error_after([](S& s) { s.topology.facet[3][1] = s.state.size(); }),
+              HasSubstr("does not exist"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge[3][1] = -1; }), HasSubstr("does not exist"));
   EXPECT_THAT(error_after([](S& s) { s.topology.facet[3][1] = s.state.size() - 1; }),
               HasSubstr("facets and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge[3][1] = s.state.size() - 1; }),
               HasSubstr("hinges and bodies disagree"));
   for (auto part : {&Shape::rest_volume, &Shape::rest_facet, &Shape::rest_hinge})
-    EXPECT_THAT(error_after([&](S& s) { (s.shape.*part).pop_back(); }), HasSubstr("shapes and bodies disagree"));
-  EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }), HasSubstr("shapes and bodies disagree"));
+    EXPECT_THAT(error_after([&](S& s) { (s.shape.*part).pop_back(); }),
+                HasSubstr("shapes and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }),
+              HasSubstr("shapes and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge_begin.clear(); }), HasSubstr("no boundary"));
   EXPECT_THAT(error_after([](S& s) { s.floor_contact = {1}; }), HasSubstr("differ in length"));
 }
@@ -175,7 +184,8 @@ TEST_F(SystemArchive, DamageIsRefused) {
 TEST_F(SystemArchive, AnotherDimensionIsRefused) {
   const h5::Group root = written(sample_system_3d());
   EXPECT_THAT(file_error_of([&] { read_system<2>(root); }), HasSubstr("dimension"));
-  EXPECT_THAT(file_error_of([&] { read_topology<2>(root.open_group("topology"), 5); }), HasSubstr("dimension"));
+  EXPECT_THAT(file_error_of([&] { read_topology<2>(root.open_group("topology"), 5); }),
+              HasSubstr("dimension"));
 }
 
 }  // namespace

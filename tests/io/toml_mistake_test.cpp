@@ -1,10 +1,10 @@
 /// Lines that are not TOML are answered with what was meant.
-#include "supple/io/toml_mistake.hpp"
+#include "supple/io/text/toml_mistake.hpp"
 
 #include <gmock/gmock.h>
 
 #include "supple/core/error.hpp"
-#include "supple/io/case_file.hpp"
+#include "supple/io/text/case_file.hpp"
 
 namespace supple {
 namespace {

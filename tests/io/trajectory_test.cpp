@@ -1,4 +1,4 @@
-#include "supple/io/trajectory.hpp"
+#include "supple/io/export/trajectory.hpp"
 
 #include <gtest/gtest.h>
 

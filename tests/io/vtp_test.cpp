@@ -1,4 +1,4 @@
-#include "supple/io/vtp.hpp"
+#include "supple/io/export/vtp.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <regex>
 
 #include "supple/core/error.hpp"
-#include "supple/io/drawn_cell.hpp"
+#include "supple/draw/scene/drawn_cell.hpp"
 #include "tests/io/count_of.hpp"
 #include "tests/io/sample_scene.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -28,8 +28,8 @@ class Vtp : public testing::TemporaryFolder {
   /// What VTK reads.
   Json read(const std::string& name) {
     const std::string out = in_folder("out.json");
-    const std::string line = "/usr/bin/python3 '" SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py' '" + in_folder(name) +
-                             "' >'" + out + "' 2>'" + in_folder("log") + "'";
+    const std::string line = "/usr/bin/python3 '" SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py' '" +
+                             in_folder(name) + "' >'" + out + "' 2>'" + in_folder("log") + "'";
     if (std::system(line.c_str()) != 0) throw std::runtime_error(content_of(in_folder("log")));
     return Json::parse(content_of(out));
   }
@@ -119,7 +119,8 @@ TEST_F(Vtp, GivesVtkTheDataOfPointsAndCells) {
 TEST_F(Vtp, PutsWholeBodiesIntoTheLeaningCell) {
   PolygonScene scene = sample_scene();
   scene.box.strain = 0.3 + 10.0 / 8;  // drawn as 0.3
-  for (int i = 4; i < 9; ++i) scene.position[i] += Vec2{-30 + scene.box.strain * 8, 8};  // one cell up, 3 back
+  for (int i = 4; i < 9; ++i)
+    scene.position[i] += Vec2{-30 + scene.box.strain * 8, 8};  // one cell up, 3 back
   const Json mesh = write_and_read(scene, Placement::in_cell);
   Vec2 mean{};
   for (int i = 4; i < 9; ++i) {
@@ -161,7 +162,8 @@ TEST_F(Vtp, TrianglesCoverWhatABodyCovers) {
   for (const Json& cell : mesh["polygons"]) {
     ASSERT_EQ(cell.size(), 3u);
     const auto x = [&](int k, int d) { return mesh["points"][cell[k].get<int>()][d].get<double>(); };
-    area += 0.5 * std::abs((x(1, 0) - x(0, 0)) * (x(2, 1) - x(0, 1)) - (x(1, 1) - x(0, 1)) * (x(2, 0) - x(0, 0)));
+    area +=
+        0.5 * std::abs((x(1, 0) - x(0, 0)) * (x(2, 1) - x(0, 1)) - (x(1, 1) - x(0, 1)) * (x(2, 0) - x(0, 0)));
   }
   EXPECT_NEAR(area, 3, 1e-4);
 }
@@ -199,7 +201,8 @@ TEST_F(Vtp, RefusesArraysThatDoNotFitAndLeavesNoFile) {
   EXPECT_THAT(message([](auto& s) { s.radius.pop_back(); }), HasSubstr("8 radii for 9 sites"));
   EXPECT_THAT(message([](auto& s) { s.begin = {0, 3, 4}; }), HasSubstr("do not cover all sites"));
   EXPECT_THAT(message([](auto& s) { s.begin = {0, 3, 5, 9}; }), HasSubstr("body 1 has 2 sites"));
-  EXPECT_THAT(message([](auto& s) { s.of_bodies[0].values = std::vector<double>(2); }), HasSubstr("2 values for 3"));
+  EXPECT_THAT(message([](auto& s) { s.of_bodies[0].values = std::vector<double>(2); }),
+              HasSubstr("2 values for 3"));
   EXPECT_THAT(message([](auto& s) { s.of_sites[1].name = "force"; }), HasSubstr("named 'force'"));
   EXPECT_THAT(message([](auto& s) { s.of_bodies[1].name = "radius"; }), HasSubstr("'radius' is taken"));
   EXPECT_THAT(message([](auto& s) { s.contacts = {{0, 9, 1}}; }), HasSubstr("not there"));

@@ -1,4 +1,4 @@
-#include "supple/io/xyz.hpp"
+#include "supple/io/export/xyz.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "supple/core/error.hpp"
-#include "supple/io/drawn_cell.hpp"
+#include "supple/draw/scene/drawn_cell.hpp"
 #include "tests/io/sample_scene.hpp"
 #include "tests/io/temporary_folder.hpp"
 
@@ -68,8 +68,9 @@ TEST_F(Xyz, ReadsBackEverySiteToTheSameDouble) {
   const PolygonScene scene = sample_scene();
   const std::vector<XyzFrame> frames = write_and_read({scene}, Placement::unwrapped);
   ASSERT_EQ(frames.size(), 1u);
-  EXPECT_EQ(frames[0].key("Properties"),
-            "type:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1:force:R:3:contact_count:I:1:pressure:R:1:velo:R:3");
+  EXPECT_EQ(
+      frames[0].key("Properties"),
+      "type:S:1:pos:R:3:radius:R:1:id:I:1:molecule:I:1:force:R:3:contact_count:I:1:pressure:R:1:velo:R:3");
   const int body[] = {0, 0, 0, 1, 2, 2, 2, 2, 2};
   const auto& force = std::get<std::vector<Vec2>>(scene.of_sites[0].values);
   const auto& contacts = std::get<std::vector<std::int32_t>>(scene.of_sites[1].values);
@@ -77,9 +78,20 @@ TEST_F(Xyz, ReadsBackEverySiteToTheSameDouble) {
   const auto& velocity = std::get<std::vector<Vec2>>(scene.of_bodies[1].values);
   for (int i = 0; i < 9; ++i) {
     const int b = body[i];
-    const std::vector<double> expected{
-        scene.position[i][0], scene.position[i][1], 0, scene.radius[i], i * 1.0, b * 1.0, force[i][0], force[i][1], 0,
-        contacts[i] * 1.0, pressure[b], velocity[b][0], velocity[b][1], 0};
+    const std::vector<double> expected{scene.position[i][0],
+                                       scene.position[i][1],
+                                       0,
+                                       scene.radius[i],
+                                       i * 1.0,
+                                       b * 1.0,
+                                       force[i][0],
+                                       force[i][1],
+                                       0,
+                                       contacts[i] * 1.0,
+                                       pressure[b],
+                                       velocity[b][0],
+                                       velocity[b][1],
+                                       0};
     EXPECT_EQ(frames[0].columns[i], expected) << i;
   }
 }
@@ -91,7 +103,8 @@ TEST_F(Xyz, SpinsAreVectorsAlongZ) {
   scene.of_bodies.clear();
   const XyzFrame frame = write_and_read({scene})[0];
   EXPECT_THAT(frame.key("Properties"), ::testing::EndsWith(":spin:R:3"));
-  EXPECT_EQ(std::vector<double>(frame.columns[4].begin() + 6, frame.columns[4].end()), (std::vector<double>{0, 0, 5}));
+  EXPECT_EQ(std::vector<double>(frame.columns[4].begin() + 6, frame.columns[4].end()),
+            (std::vector<double>{0, 0, 5}));
 }
 
 TEST_F(Xyz, NumbersOfTheWholeStandInTheHeader) {
@@ -108,8 +121,8 @@ TEST_F(Xyz, NamesATypeForEachKindAndSize) {
   scene.radius = {0.3, 0.3, 0.3, 0.7, 0.1, 0.7, 0.3, 0.3, 0.3};
   scene.of_bodies.clear();
   EXPECT_EQ(write_and_read({scene})[0].types,
-            (std::vector<std::string>{"polygon1", "polygon1", "polygon1", "disc2", "disc3", "disc2", "polygon1",
-                                      "polygon1", "polygon1"}));
+            (std::vector<std::string>{"polygon1", "polygon1", "polygon1", "disc2", "disc3", "disc2",
+                                      "polygon1", "polygon1", "polygon1"}));
 }
 
 TEST_F(Xyz, GivesTheLeaningCellOfEqualLattice) {

@@ -8,7 +8,8 @@
 namespace supple {
 namespace {
 
-/// Two discs of radius 60 in a cell of 500 x 500, linked, that part at 120 together; without friction or viscosity.
+/// Two discs of radius 60 in a cell of 500 x 500, linked, that part at 120 together; without friction or
+/// viscosity.
 System<2> parting_pair(double x_first) {
   System<2> system;
   system.box.length = {500, 500};
@@ -28,8 +29,8 @@ DiscDynamics linear_springs() {
   return DiscDynamics(ForceField(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
 }
 
-/// A linear spring pulls with k (d - d0), at any distance: also beyond half a cell, where another image is nearer, and
-/// where one of its discs has crossed the boundary.
+/// A linear spring pulls with k (d - d0), at any distance: also beyond half a cell, where another image is
+/// nearer, and where one of its discs has crossed the boundary.
 TEST(LinkImage, ALinkLongerThanHalfTheCellPullsOn) {
   for (const double x_first : {10.0, 100.0, 480.0}) {
     System<2> system = parting_pair(x_first);

@@ -41,8 +41,10 @@ TEST(Sanity, OrdinarySystemsPass) {
 
 TEST(Sanity, NumbersBeyondAllUseAreRefusedByName) {
   using S = System<2>;
-  EXPECT_THAT(error_of([](S& s) { s.state.position[3][0] = 1e200; }), HasSubstr("the position of site 3 is 1e+200"));
-  EXPECT_THAT(error_of([](S& s) { s.state.position[2][1] = -1e30; }), HasSubstr("site 2 lies at (1.5, -1e+30)"));
+  EXPECT_THAT(error_of([](S& s) { s.state.position[3][0] = 1e200; }),
+              HasSubstr("the position of site 3 is 1e+200"));
+  EXPECT_THAT(error_of([](S& s) { s.state.position[2][1] = -1e30; }),
+              HasSubstr("site 2 lies at (1.5, -1e+30)"));
   EXPECT_THAT(error_of([](S& s) { s.state.radius[0] = 1e308; }), HasSubstr("the radius of site 0 is 1e+308"));
   EXPECT_THAT(error_of([](S& s) { s.state.radius[3] = 1e20; }), HasSubstr("radii are from 0.1 to 1e+20"));
   EXPECT_THAT(error_of([](S& s) { s.state.mass[1] = 0; }), HasSubstr("the mass of site 1 is 0"));
@@ -51,9 +53,15 @@ TEST(Sanity, NumbersBeyondAllUseAreRefusedByName) {
   EXPECT_THAT(error_of([](S& s) { s.box.length[1] = 1e20; }), HasSubstr("its cell is 10 x 1e+20"));
   EXPECT_THAT(error_of([](S& s) { s.box.strain = 1e12; }), HasSubstr("its strain is 1e+12"));
   EXPECT_THAT(error_of([](S& s) { s.state.velocity[0] = {1e45, 0}; }), HasSubstr("its kinetic energy is"));
-  EXPECT_THAT(error_of([](S& s) { s.shape.rest_facet[1] = 0; }), HasSubstr("the preferred length of edge 1 is 0"));
-  EXPECT_THAT(error_of([](S& s) { s.shape.stiffness[0].hinge = 1e100; }), HasSubstr("a stiffness of particle 0"));
-  EXPECT_THAT(error_of([](S& s) { s = {}; s.box.length = {1, 1}; }), HasSubstr("it holds no particle"));
+  EXPECT_THAT(error_of([](S& s) { s.shape.rest_facet[1] = 0; }),
+              HasSubstr("the preferred length of edge 1 is 0"));
+  EXPECT_THAT(error_of([](S& s) { s.shape.stiffness[0].hinge = 1e100; }),
+              HasSubstr("a stiffness of particle 0"));
+  EXPECT_THAT(error_of([](S& s) {
+                s = {};
+                s.box.length = {1, 1};
+              }),
+              HasSubstr("it holds no particle"));
 }
 
 TEST(Sanity, NotANumberIsFoundEverywhere) {

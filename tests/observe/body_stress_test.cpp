@@ -30,8 +30,8 @@ Mat2 sum_of(const std::vector<Mat2>& parts) {
 
 constexpr double side = 10, k_a = 3, k_c = 5;
 
-/// Unit squares side by side, `gap` between facing vertices of these radii, across the period of the cell; preferred
-/// areas 0.9 and 1.2.
+/// Unit squares side by side, `gap` between facing vertices of these radii, across the period of the cell;
+/// preferred areas 0.9 and 1.2.
 System<2> two_squares(double gap, double left, double right) {
   System<2> system;
   system.box.length = {side, side};
@@ -64,7 +64,8 @@ TEST(BodyStress, TwoSquares) {
   system.state.velocity[2] = {0.5, -0.25};
   const BodyStresses s = evaluate(system, {k_c, false}).stress;
   const double area = side * side;
-  // Tension where the preferred area is larger than 1 would push outward: -(1/A) dU/d(strain) = -k_a (a - a0) a.
+  // Tension where the preferred area is larger than 1 would push outward: -(1/A) dU/d(strain) = -k_a (a - a0)
+  // a.
   expect_near(s.shape, (1 / area) * diagonal(-k_a * (0.1 - 0.2), -k_a * (0.1 - 0.2)), 1e-16);
   expect_near(s.contact, (1 / area) * diagonal(2 * force * gap, 0), 1e-16);
   expect_near(s.wall, Mat2{}, 0);
@@ -81,8 +82,8 @@ TEST(BodyStress, TwoSquares) {
   EXPECT_THROW(s.of_bodies(std::vector<double>{2}), Error);
 }
 
-/// The contact line of circles of radius 0.15 and 0.05 at distance 0.19 is 0.19/2 + (0.15^2 - 0.05^2)/(2 0.19) from the
-/// larger one.
+/// The contact line of circles of radius 0.15 and 0.05 at distance 0.19 is 0.19/2 + (0.15^2 - 0.05^2)/(2
+/// 0.19) from the larger one.
 TEST(BodyStress, LargerVerticesHaveMoreOfTheContact) {
   const double gap = 0.19, moment = 2 * k_c * (0.2 - gap) * gap;
   System<2> system = two_squares(gap, 0.15, 0.05);
@@ -114,7 +115,8 @@ TEST(BodyStress, IsTheVirialAndAddsUp) {
   }
 }
 
-/// What keeps a rigid body together carries the force of a contact to its centre: F times the distance of the centres.
+/// What keeps a rigid body together carries the force of a contact to its centre: F times the distance of the
+/// centres.
 TEST(BodyStress, RigidSquares) {
   const double gap = 0.19, force = k_c * (0.2 - gap);
   System<2> system = two_squares(gap, 0.1, 0.1);
@@ -136,7 +138,8 @@ TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
   const auto [evaluation, s] = evaluate(system, {7, false});
   EXPECT_NEAR(s.virial()[0][1], s.virial()[1][0], 1e-13 * pressure(s.virial()));
   EXPECT_GT(std::abs(pressure(s.shape)), 0.1 * pressure(s.contact));
-  EXPECT_NEAR(pressure(evaluation.virial) / system.box.volume(), pressure(s.virial()), 1e-13 * pressure(s.virial()));
+  EXPECT_NEAR(pressure(evaluation.virial) / system.box.volume(), pressure(s.virial()),
+              1e-13 * pressure(s.virial()));
   const auto energy_at = [&](double e) {
     System<2> strained = system;
     strained.box.length = (1 + e) * system.box.length;
@@ -155,7 +158,8 @@ TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
   const BodyStresses at_rest = spun(0), turning = spun(2);
   EXPECT_NEAR(pressure(turning.total()), pressure(at_rest.total()), 1e-12 * pressure(turning.kinetic));
   EXPECT_GT(pressure(turning.kinetic), 1);
-  EXPECT_NEAR(pressure(turning.kinetic) * system.box.volume(), spin_energy(system), 1e-12 * spin_energy(system));
+  EXPECT_NEAR(pressure(turning.kinetic) * system.box.volume(), spin_energy(system),
+              1e-12 * spin_energy(system));
 }
 
 TEST(BodyStress, WallsPressToo) {

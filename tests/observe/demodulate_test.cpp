@@ -139,7 +139,8 @@ void change_storage(Series& s, const Protocol& p, const std::vector<double>& ext
   for (std::size_t i = 0; i < s.time.size(); ++i) {
     const double cycle = std::floor(s.time[i] * p.frequency - p.pre - 1 + 1e-9);
     if (cycle >= 0 && cycle < static_cast<double>(extra.size()))
-      s.stress[i] += extra[static_cast<std::size_t>(cycle)] * p.amplitude * std::sin(two_pi * (s.time[i] * p.frequency - p.pre));
+      s.stress[i] += extra[static_cast<std::size_t>(cycle)] * p.amplitude *
+                     std::sin(two_pi * (s.time[i] * p.frequency - p.pre));
   }
 }
 
@@ -147,7 +148,8 @@ TEST(Demodulate, ErrorIsTheScatterOfTheCyclesWithStudentsFactor) {
   const Protocol p{1, 0.2, 1, 5, 1};
   Series s = sampled({}, p, even_times(p, 1e-3));
   change_storage(s, p, {5, -5, 5, -5});
-  // Standard error sqrt(100/(4*3)), times t/2 for 0.9545 and three degrees of freedom; the line falls by 2 per cycle.
+  // Standard error sqrt(100/(4*3)), times t/2 for 0.9545 and three degrees of freedom; the line falls by 2
+  // per cycle.
   const Demodulation d = demodulated(s, p);
   EXPECT_EQ(d.cycles, 4);
   EXPECT_NEAR(d.storage.value, 1000, 1e-9);
@@ -189,10 +191,12 @@ TEST(Demodulate, AnyRestsAndAnyLengthGiveTheSame) {
       for (const double post : {0.0, 0.3, 1.0}) {
         const Protocol p{2, 0.2, pre, periods, post};
         Series s = sampled(signal, p, even_times(p, 1 / (2 * 1315.0)));
-        const double held = stress_of({1000, 200}, p, (pre + periods) / 2) - stress_of({0, 0}, p, (pre + periods) / 2);
+        const double held =
+            stress_of({1000, 200}, p, (pre + periods) / 2) - stress_of({0, 0}, p, (pre + periods) / 2);
         for (std::size_t i = 0; i < s.time.size(); ++i) {
           if (s.time[i] > (pre + periods) / 2) s.stress[i] += held;
-          if (std::abs(s.time[i] - pre / 2) < 1e-9) s.stress[i] = stress_of(signal, p, pre / 2);  // times are sums
+          if (std::abs(s.time[i] - pre / 2) < 1e-9)
+            s.stress[i] = stress_of(signal, p, pre / 2);  // times are sums
         }
         const Demodulation d = demodulated(s, p);
         EXPECT_NEAR(d.storage.value, 1000, 1e-8) << pre << " " << periods << " " << post;
@@ -209,7 +213,8 @@ TEST(Demodulate, DriftLeavesHysteresisAlone) {
   for (std::size_t i = 0; i < s.time.size(); ++i) {
     const double phase = two_pi * (s.time[i] * p.frequency - p.pre);
     if (s.time[i] > 3) s.stress[i] += 11;
-    else if (s.time[i] >= 1) s.stress[i] += 20 * std::sin(2 * phase + 0.3) + 10 * std::cos(4 * phase) + 6 * std::sin(5 * phase);
+    else if (s.time[i] >= 1)
+      s.stress[i] += 20 * std::sin(2 * phase + 0.3) + 10 * std::cos(4 * phase) + 6 * std::sin(5 * phase);
   }
   const Demodulation d = demodulated(s, p);
   EXPECT_NEAR(d.storage.value, 1000, 1e-8);

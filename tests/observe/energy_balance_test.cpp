@@ -110,8 +110,8 @@ TEST(EnergyAccount, OpensBetweenTwoSteps) {
   // An account opened while velocities lag behind closes as well as one opened at rest.
   System<2> s = colliding();
   const PairStiffness contact{100, 2, 80, 1};
-  DiscDynamics dynamics{
-      ForceField(DiscContacts(Divergent(0), {contact, contact, Tensile{}, 0.3, Slip::clamp, LeverArm::distance}))};
+  DiscDynamics dynamics{ForceField(
+      DiscContacts(Divergent(0), {contact, contact, Tensile{}, 0.3, Slip::clamp, LeverArm::distance}))};
   s.state.spin = {3, 1};
   EnergyBalance balance;
   dynamics.set_account(&balance);

@@ -39,7 +39,8 @@ struct Column {
   StressTensors tensors() const { return stress_tensors(system, evaluation, 2); }
 };
 
-/// Largest step of the published and of the corrected series while the column is carried over the cut and back.
+/// Largest step of the published and of the corrected series while the column is carried over the cut and
+/// back.
 struct Steps {
   double published = 0, corrected = 0, last_removed = 0;
 };

@@ -31,7 +31,8 @@ TEST(Onset, IsThatOfALineWhateverLiesAbove) {
 }
 
 TEST(Onset, ErrorsAreThoseOfRegression) {
-  // Residuals of phi are +-1e-3 at P = 1, 2, 3, 4 such that the line stays: -1, +1, +1, -1 leave slope and mean.
+  // Residuals of phi are +-1e-3 at P = 1, 2, 3, 4 such that the line stays: -1, +1, +1, -1 leave slope and
+  // mean.
   const std::vector<double> p{1, 2, 3, 4}, phi{0.899, 1.001, 1.101, 1.199};
   const auto fit = fit_onset(phi, p, 10);
   ASSERT_TRUE(fit);
@@ -49,8 +50,8 @@ TEST(Onset, NeedsThreePointsThatRise) {
   EXPECT_TRUE(fit_onset(std::vector{0.7, 0.8, 0.9, 0.1}, std::vector{1.0, 2.0, 3.0, 0.0}, 10));
 }
 
-/// Above a jump of the packing fraction by 0.004 it is another packing, twice as stiff: of both branches the part at
-/// the lowest pressures counts, whichever way it was walked.
+/// Above a jump of the packing fraction by 0.004 it is another packing, twice as stiff: of both branches the
+/// part at the lowest pressures counts, whichever way it was walked.
 TEST(Onset, IsOfThePartBelowTheJump) {
   std::vector<double> p, phi;
   std::vector<std::uint8_t> jumped;

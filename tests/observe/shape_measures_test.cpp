@@ -14,7 +14,8 @@ using ::testing::ElementsAre;
 
 void add_square(System<2>& system, double x, double y, double width, double height) {
   const std::vector<double> four(4, 1);
-  add_ring(system, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, 0.1, {}, 1, four, four);
+  add_ring(system, {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, 0.1, {}, 1, four,
+           four);
 }
 
 TEST(ShapeMeasures, ClosedForms) {

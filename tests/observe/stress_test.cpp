@@ -182,7 +182,8 @@ TEST(Stress, UnitScalesEveryTensor) {
 }
 
 TEST(Stress, TensorsThatDoNotDependOnTheCut) {
-  // Three discs in a row around x = 0; moving the cut by a quarter of the cell changes the published split only.
+  // Three discs in a row around x = 0; moving the cut by a quarter of the cell changes the published split
+  // only.
   Scene cut = empty_scene(), moved = empty_scene();
   for (const double x : {95.0, 3.0, 11.0}) {
     cut.add_disc({x, 50 + 0.2 * x});
@@ -201,7 +202,8 @@ TEST(Stress, TensorsThatDoNotDependOnTheCut) {
 }
 
 TEST(Stress, PlatesPullByTheForceOverTheWidth) {
-  // Free discs held between an upper and a lower plate: the force along the flow is the same on both sides of each.
+  // Free discs held between an upper and a lower plate: the force along the flow is the same on both sides of
+  // each.
   Scene scene = empty_scene();
   scene.system.box.length = {side, 2 * side};
   scene.add_disc({50, 3}, {}, 5, Mobility::lower_plate);
@@ -210,7 +212,8 @@ TEST(Stress, PlatesPullByTheForceOverTheWidth) {
   scene.add_disc({50, 198}, {}, 5, Mobility::upper_plate);
   scene.touch(0, 1, 3, 1, 0.5);
   scene.touch(2, 3, 7, 0, -0.25);
-  const Vec2 on_lower = -1 * force_on_first(scene.evaluation.pair[0]), on_upper = force_on_first(scene.evaluation.pair[1]);
+  const Vec2 on_lower = -1 * force_on_first(scene.evaluation.pair[0]),
+             on_upper = force_on_first(scene.evaluation.pair[1]);
   EXPECT_NEAR(scene.tensors(10).plates, 10 * 0.5 * (on_upper[flow] - on_lower[flow]) / side, 1e-15);
 }
 
@@ -221,7 +224,8 @@ TEST(Stress, APlateReachesItsSampleOverTheBoundary) {
   scene.add_disc({53, 99}, {}, 5, Mobility::upper_plate);
   scene.touch(0, 1, 4, 0, 0);
   EXPECT_NEAR(scene.tensors().plates, -0.5 * force_on_first(scene.evaluation.pair[0])[flow] / side, 1e-15);
-  scene.add_disc({50, 2}, {}, 5, Mobility::lower_plate);  // plates between themselves carry nothing for the sample
+  scene.add_disc({50, 2}, {}, 5,
+                 Mobility::lower_plate);  // plates between themselves carry nothing for the sample
   scene.touch(1, 2, 9, 0, 1);
   EXPECT_NEAR(scene.tensors().plates, -0.5 * force_on_first(scene.evaluation.pair[0])[flow] / side, 1e-15);
 }

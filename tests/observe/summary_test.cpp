@@ -70,7 +70,9 @@ TEST(Summary, CountsActiveContactsByState) {
   EXPECT_EQ(coordination(System<2>{}, e), 0);
 }
 
-TEST(Summary, PackingFraction) { EXPECT_NEAR(packing_fraction(two_discs()), 3.14159265358979 * 5 / 200, 1e-14); }
+TEST(Summary, PackingFraction) {
+  EXPECT_NEAR(packing_fraction(two_discs()), 3.14159265358979 * 5 / 200, 1e-14);
+}
 
 }  // namespace
 }  // namespace supple

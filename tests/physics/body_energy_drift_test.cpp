@@ -38,8 +38,8 @@ Packing warm_packing(const Kind& kind) {
   return packing;
 }
 
-/// Change of the energy over all steps by the least-squares line through it, relative to it, once kinetic and potential
-/// energy have come to share it.
+/// Change of the energy over all steps by the least-squares line through it, relative to it, once kinetic and
+/// potential energy have come to share it.
 double drift(const Kind& kind, double step_factor) {
   Packing packing = warm_packing(kind);
   System<2>& s = packing.system;

@@ -23,7 +23,8 @@ TEST(Density, ModuliDoNotDependOnIt) {
       for (const char* modulus : {"storage_modulus_", "loss_modulus_"}) {
         const std::string name = std::string(modulus) + stress;
         const double expected = reference.get("results", name);
-        EXPECT_NEAR(other.get("results", name), expected, 1e-6 * std::abs(expected)) << name << ", density " << density;
+        EXPECT_NEAR(other.get("results", name), expected, 1e-6 * std::abs(expected))
+            << name << ", density " << density;
       }
     EXPECT_NEAR(other.get("constants", "frequency") * std::sqrt(density / 1000),
                 reference.get("constants", "frequency"), 1e-9 * reference.get("constants", "frequency"));

@@ -1,4 +1,5 @@
-/// Energy over a cycle of shear: work of plates, images and rate changes = change of energy + losses by channel.
+/// Energy over a cycle of shear: work of plates, images and rate changes = change of energy + losses by
+/// channel.
 #include "supple/observe/energy_balance.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,8 @@ Account shear_one_cycle(System<2> system, const Case& c, int steps) {
     dynamics->advance(system, protocol.rates(i), protocol.time_step(), testing::damping(c, steps));
   }
   dynamics->evaluate(system, {});
-  return {balance.flows(system, now), energy_state(system, now).total() - before, balance.residual(system, now)};
+  return {balance.flows(system, now), energy_state(system, now).total() - before,
+          balance.residual(system, now)};
 }
 
 void expect_closed(const Case& c) {

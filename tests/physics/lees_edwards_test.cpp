@@ -1,5 +1,5 @@
-/// What Lees-Edwards boundaries may not change: trajectories and the full virial under a shift of the origin, a
-/// Galilean shift, and a strain of one more image; contact forces against a search of all pairs.
+/// What Lees-Edwards boundaries may not change: trajectories and the full virial under a shift of the origin,
+/// a Galilean shift, and a strain of one more image; contact forces against a search of all pairs.
 #include <gtest/gtest.h>
 
 #include "supple/observe/stress.hpp"
@@ -77,7 +77,8 @@ TEST(LeesEdwards, ShiftOfTheOriginChangesNothing) {
   wrap_all(shifted);
   // A disc that is higher by shift_y flows faster by shift_y rate.
   const double strain = reference.system.box.strain - start.box.strain;
-  expect_same(sheared(shifted, c, Rate::oscillating, 0.999), reference, shift + Vec2{shift[gradient] * strain, 0});
+  expect_same(sheared(shifted, c, Rate::oscillating, 0.999), reference,
+              shift + Vec2{shift[gradient] * strain, 0});
 }
 
 TEST(LeesEdwards, GalileanShiftChangesNothing) {

@@ -85,7 +85,8 @@ void expect_momenta_conserved(Discs& discs, double linear, double angular) {
   double momentum = 0, moment = 0;
   for (int i = 0; i < discs.system.state.size(); ++i) {
     momentum += discs.system.state.mass[i] * norm(discs.system.state.velocity[i]);
-    moment += discs.system.state.mass[i] * norm(discs.system.state.velocity[i]) * norm(discs.system.state.position[i]) +
+    moment += discs.system.state.mass[i] * norm(discs.system.state.velocity[i]) *
+                  norm(discs.system.state.position[i]) +
               discs.system.state.inertia[i] * std::abs(discs.system.state.spin[i]);
   }
   EXPECT_LE(norm(after.linear - before.linear), linear * momentum);

@@ -1,4 +1,5 @@
-/// A crosslinked cluster that rotates as a whole winds up nothing: the tangential springs see only the motion within.
+/// A crosslinked cluster that rotates as a whole winds up nothing: the tangential springs see only the motion
+/// within.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -58,7 +59,8 @@ void rotate(System<2>& s) {
   }
 }
 
-/// Largest change of a link's elongation over a whole turn, the stretch by the rotation having settled before.
+/// Largest change of a link's elongation over a whole turn, the stretch by the rotation having settled
+/// before.
 double wound_up_in_a_turn(LeverArm arm) {
   DiscDynamics d = dynamics(arm);
   System<2> s = cluster(d);
@@ -85,7 +87,8 @@ TEST(RotatingCluster, KeepsRotating) {
   System<2> s = cluster(d);
   rotate(s);
   run(s, d, 10000);
-  const double before = momenta(s, d.evaluate(s, {})).angular, energy = kinetic_energy(s, d.evaluate(s, {})).total();
+  const double before = momenta(s, d.evaluate(s, {})).angular,
+               energy = kinetic_energy(s, d.evaluate(s, {})).total();
   run(s, d, 10000);
   EXPECT_NEAR(momenta(s, d.evaluate(s, {})).angular, before, 1e-12 * before);
   EXPECT_NEAR(kinetic_energy(s, d.evaluate(s, {})).total(), energy, 1e-5 * energy);

@@ -50,7 +50,8 @@ TEST(BodyDynamics, EnergyFluctuatesBySecondOrderOfTheStep) {
     }
     return std::sqrt(squares / steps - sum / steps * (sum / steps));
   };
-  const double coarse = fluctuation(4e-3, 500), fine = fluctuation(2e-3, 1000), finer = fluctuation(1e-3, 2000);
+  const double coarse = fluctuation(4e-3, 500), fine = fluctuation(2e-3, 1000),
+               finer = fluctuation(1e-3, 2000);
   EXPECT_NEAR(coarse / fine, 4, 0.15 * 4);
   EXPECT_NEAR(fine / finer, 4, 0.15 * 4);
 }
@@ -197,7 +198,8 @@ TEST(BodyDynamics, FrequencyBoundIsCloseToTheStiffestFrequency) {
   }
   double spring = 0;  // of further contacts
   for (int i = 0; i < system.state.size(); ++i)
-    spring = std::max(spring, 6 / (4 * system.state.radius[i] * system.state.radius[i] * system.state.mass[i]));
+    spring =
+        std::max(spring, 6 / (4 * system.state.radius[i] * system.state.radius[i] * system.state.mass[i]));
   const double bound = frequency_bound(system, field);
   EXPECT_GE(bound * bound, square + spring);
   EXPECT_LE(bound * bound, 1.25 * square + spring);

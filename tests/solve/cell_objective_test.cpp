@@ -54,7 +54,8 @@ TEST(CellObjective, HessianIsThatOfTheEnthalpy) {
     x[column] = x0;
     for (int row = column; row < n; ++row) {
       const double expected = (above[row] - below[row]) / (2 * h);
-      EXPECT_NEAR(lower.coeff(row, column), expected, 1e-5 * (1 + std::abs(expected))) << row << ' ' << column;
+      EXPECT_NEAR(lower.coeff(row, column), expected, 1e-5 * (1 + std::abs(expected)))
+          << row << ' ' << column;
       if (row >= n - 2) {
         EXPECT_EQ(sparse.coeff(row, column), lower.coeff(row, column)) << row << ' ' << column;
       }

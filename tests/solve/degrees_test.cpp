@@ -57,7 +57,8 @@ struct Check {
       std::vector<double> above = q, below = q;
       above[k] += h;
       below[k] -= h;
-      EXPECT_NEAR(g[k], (energy(degrees, above) - energy(degrees, below)) / (2 * h), 1e-7 * scale) << "number " << k;
+      EXPECT_NEAR(g[k], (energy(degrees, above) - energy(degrees, below)) / (2 * h), 1e-7 * scale)
+          << "number " << k;
       const std::vector<double> g_above = gradient(degrees, above), g_below = gradient(degrees, below);
       for (std::size_t row = k; row < n; ++row)
         EXPECT_NEAR(dense[row * n + k], (g_above[row] - g_below[row]) / (2 * h),
@@ -122,7 +123,8 @@ TEST(BodyDegrees, OfRigidBodiesCarryTheirKineticEnergy) {
   double energy = 0;
   for (int i = 0; i < system.state.size(); ++i)
     energy += 0.5 * system.state.mass[i] * dot(system.state.velocity[i], system.state.velocity[i]);
-  const double turning = 0.7 * gyration_radius(system.rigid, 0), m = BodyDegrees(system).masses(system).back();
+  const double turning = 0.7 * gyration_radius(system.rigid, 0),
+               m = BodyDegrees(system).masses(system).back();
   EXPECT_NEAR(energy, 0.5 * m * (0.09 + 0.04 + turning * turning), 1e-14 * energy);
 }
 

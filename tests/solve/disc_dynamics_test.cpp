@@ -96,7 +96,8 @@ TEST(DiscDynamics, ADiscThatLeavesAMillionCellsBehindEndsTheRun) {
       FAIL() << speed;
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::numerics);
-      EXPECT_NE(std::string(e.what()).find("site 7 left a million cells behind"), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("site 7 left a million cells behind"), std::string::npos)
+          << e.what();
     }
   }
 }
@@ -110,7 +111,8 @@ TEST(DiscDynamics, DiscsThatReachAPlateStayOnIt) {
   for (int i = 0; i < 50; ++i) {
     if (s.state.mobility[i] == Mobility::free) continue;
     ++captured;
-    const double speed = s.state.mobility[i] == Mobility::upper_plate ? 1.2 : -1.2;  // rate Ly/2 = 0.3 * 8 / 2
+    const double speed =
+        s.state.mobility[i] == Mobility::upper_plate ? 1.2 : -1.2;  // rate Ly/2 = 0.3 * 8 / 2
     EXPECT_NEAR(s.state.velocity[i][0], speed, 1e-14);
     EXPECT_EQ(s.state.velocity[i][1], 0);
   }

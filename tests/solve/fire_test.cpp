@@ -40,14 +40,17 @@ TEST(Sums, LargestSquareOfPairs) {
     }
 }
 
-/// An objective whose gradient alone is cheaper: energies are asked for where someone looks at them, and at the end.
+/// An objective whose gradient alone is cheaper: energies are asked for where someone looks at them, and at
+/// the end.
 TEST(Fire, ReportsTheEnergyOfTheLastPoint) {
   struct Cheap : StiffChain {
     using StiffChain::StiffChain;
     double evaluate(std::span<const double> x, std::span<double> g) override {
       return ++with_energy, StiffChain::evaluate(x, g);
     }
-    void evaluate_slope(std::span<const double> x, std::span<double> g) override { StiffChain::evaluate(x, g); }
+    void evaluate_slope(std::span<const double> x, std::span<double> g) override {
+      StiffChain::evaluate(x, g);
+    }
     double tolerance() const override { return 1e-3; }
     int with_energy = 0;
   } chain(40, 1e3, 0.5);

@@ -105,8 +105,9 @@ TEST(Plasticity, AnglesHeldFixedAreApproachedAsStated) {
 }
 
 TEST(Plasticity, RefusesLawsThatMeanNothing) {
-  for (const PlasticLaw& law : {PlasticLaw{0}, PlasticLaw{-1}, PlasticLaw{1, -0.1}, PlasticLaw{1, 1},
-                                PlasticLaw{1, 0.1, 1.5}, PlasticLaw{1, 0.1, 0.1, -1}, PlasticLaw{1, std::nan("")}})
+  for (const PlasticLaw& law :
+       {PlasticLaw{0}, PlasticLaw{-1}, PlasticLaw{1, -0.1}, PlasticLaw{1, 1}, PlasticLaw{1, 0.1, 1.5},
+        PlasticLaw{1, 0.1, 0.1, -1}, PlasticLaw{1, std::nan("")}})
     EXPECT_THROW(check(law), Error);
   EXPECT_NO_THROW(check({1, 0.1, 0.9, 4}));
   EXPECT_NO_THROW(check({1}));
@@ -123,7 +124,8 @@ struct Pulled {
     width_before = width();
     ForceField field = testing::shell_field();
     for (int i : {0, 6})
-      field.external().tethers.push_back({i, Vec2{10, 10} + 1.4 * (system.state.position[i] - Vec2{10, 10}), 100});
+      field.external().tethers.push_back(
+          {i, Vec2{10, 10} + 1.4 * (system.state.position[i] - Vec2{10, 10}), 100});
     BodyDynamics dynamics(std::move(field), 2);
     if (law) dynamics.set_plasticity(*law);
     const double dt = default_step(system, dynamics.forces(), 0.3);
@@ -148,13 +150,14 @@ TEST(Plasticity, PulledParticleKeepsItsNewShapeAndReturnsWithoutIt) {
   EXPECT_GT(plastic.width_after, elastic.width_before + 0.7 * (plastic.width_held - plastic.width_before));
   // It rests within the yield of its new preferred shape, to the end of an exponential approach.
   for (int f = 0; f < 12; ++f) {
-    const double length = norm(plastic.system.state.position[(f + 1) % 12] - plastic.system.state.position[f]);
+    const double length =
+        norm(plastic.system.state.position[(f + 1) % 12] - plastic.system.state.position[f]);
     EXPECT_LE(std::abs(length / plastic.system.shape.rest_facet[f] - 1), 0.05 + 1e-6);
   }
 }
 
-/// Held at every vertex the lengths follow the closed form, through BodyDynamics; released, every edge takes its new
-/// length.
+/// Held at every vertex the lengths follow the closed form, through BodyDynamics; released, every edge takes
+/// its new length.
 TEST(Plasticity, ReleasedEdgesHaveTheLengthsOfTheLaw) {
   System<2> system = stretched_square(0.5, 0, {0, 1, 0, 0});
   const double yield = 0.3, tau = 2;

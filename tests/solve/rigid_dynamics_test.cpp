@@ -37,13 +37,14 @@ TEST(RigidDynamics, FreeRotorKeepsItsSpin) {
   EXPECT_NEAR(system.rigid.angle[0], 130, 1e-10);
   EXPECT_LT(norm(system.rigid.centre[0] - centre - Vec2{-50, 25}), 1e-10);
   const double radius = gyration_radius(system.rigid, 0), angle = 0.1 + system.rigid.angle[0];
-  EXPECT_LT(norm(system.state.position[0] - system.rigid.centre[0] - radius * Vec2{std::cos(angle), std::sin(angle)}),
+  EXPECT_LT(norm(system.state.position[0] - system.rigid.centre[0] -
+                 radius * Vec2{std::cos(angle), std::sin(angle)}),
             1e-13)
       << "its shape is what it was";
 }
 
-/// A regular polygon tethered at every vertex is a pendulum: U = N k R^2 (1 - cos angle), I = N R^2, so that w =
-/// sqrt(k), and at amplitude A the period is 4 K(sin(A/2))/w.
+/// A regular polygon tethered at every vertex is a pendulum: U = N k R^2 (1 - cos angle), I = N R^2, so that
+/// w = sqrt(k), and at amplitude A the period is 4 K(sin(A/2))/w.
 TEST(RigidDynamics, TetheredPolygonIsAPendulum) {
   System<2> system = colliding_octagons(1);
   ForceField field = shell_field();
@@ -86,7 +87,8 @@ TEST(RigidDynamics, CollisionsKeepMomentumAngularMomentumAndEnergy) {
       return std::sqrt(squares / system.time);
     };
     // How much depends on where in a step contacts begin, but none of it is of first order.
-    for (double dt : {0.16, 0.04, 0.01}) EXPECT_LT(energy_error(dt), 0.15 * dt * dt) << rigid << " rigid, step " << dt;
+    for (double dt : {0.16, 0.04, 0.01})
+      EXPECT_LT(energy_error(dt), 0.15 * dt * dt) << rigid << " rigid, step " << dt;
   }
 }
 

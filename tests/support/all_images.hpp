@@ -8,10 +8,10 @@
 
 namespace supple::testing {
 
-/// The bodies of a periodic system and their images up to `cells` cells away, in a cell without periods, with a row
-/// for every pair of sites. Sites of the periodic system come first, each body moved as a whole into the cell. Forces on
-/// them are those of the periodic system, however small or sheared the cell and wherever its bodies are: no rule of
-/// nearest images is used.
+/// The bodies of a periodic system and their images up to `cells` cells away, in a cell without periods, with
+/// a row for every pair of sites. Sites of the periodic system come first, each body moved as a whole into
+/// the cell. Forces on them are those of the periodic system, however small or sheared the cell and wherever
+/// its bodies are: no rule of nearest images is used.
 inline System<2> with_all_images(const System<2>& periodic, int cells = 2) {
   const Box<2>& box = periodic.box;
   const int sites = periodic.state.size(), bodies = periodic.topology.body_count(sites);

@@ -8,8 +8,9 @@
 
 namespace supple::testing {
 
-/// Checks forces and Hessian against central differences of energy and forces, the virial against -dU/d(strain) of
-/// sites and cell together, no net force (a periodic cell), and forces with and without energies.
+/// Checks forces and Hessian against central differences of energy and forces, the virial against
+/// -dU/d(strain) of sites and cell together, no net force (a periodic cell), and forces with and without
+/// energies.
 class FieldCheck {
  public:
   FieldCheck(ForceField& field, System<2>& system, double step = 1e-6, double tolerance = 1e-7)
@@ -48,7 +49,9 @@ class FieldCheck {
     field_.add_hessian(system_, blocks);
     const int n = 2 * system_.state.size();
     std::vector<double> h(static_cast<std::size_t>(n) * n);
-    const auto at = [&](int row, int column) -> double& { return h[static_cast<std::size_t>(row) * n + column]; };
+    const auto at = [&](int row, int column) -> double& {
+      return h[static_cast<std::size_t>(row) * n + column];
+    };
     double largest = scale_;
     for (const HessianBlock<2>& b : blocks)
       for (int c = 0; c < 2; ++c)
@@ -73,8 +76,8 @@ class FieldCheck {
     }
   }
 
-  /// Strains the cell with everything in it: x += e_ij x_j. A cell has lengths and shear along the flow, so that only
-  /// these three strains can be made; the fourth component must equal the third.
+  /// Strains the cell with everything in it: x += e_ij x_j. A cell has lengths and shear along the flow, so
+  /// that only these three strains can be made; the fourth component must equal the third.
   void check_virial() {
     const std::vector<Vec2> x = system_.state.position;
     const Box<2> box = system_.box;

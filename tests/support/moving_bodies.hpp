@@ -22,8 +22,8 @@ inline void heat(System<2>& system, double speed) {
   place_sites(system);
 }
 
-/// Rough shells at rest in a sheared periodic cell, where neighbours touch, then heated. The first `rigid` with even
-/// numbers are rigid.
+/// Rough shells at rest in a sheared periodic cell, where neighbours touch, then heated. The first `rigid`
+/// with even numbers are rigid.
 inline System<2> warm_shells(int bodies, int rigid = 0, double speed = 0.1) {
   System<2> system = random_polygons({.bodies = bodies, .jitter = 0});
   for (int r = 0; r < rigid; ++r) make_rigid(system, 2 * r);

@@ -20,8 +20,8 @@ struct PackingDraw {
   double jitter = 0.12;       ///< of every vertex
 };
 
-/// Polygons of 9 to 14 vertices on a jittered square lattice in a sheared periodic cell; neighbours overlap. Bodies
-/// stick out of the cell.
+/// Polygons of 9 to 14 vertices on a jittered square lattice in a sheared periodic cell; neighbours overlap.
+/// Bodies stick out of the cell.
 inline System<2> random_polygons(const PackingDraw& draw = {}) {
   const int rows = static_cast<int>(std::ceil(std::sqrt(draw.bodies)));
   System<2> system;
@@ -32,7 +32,8 @@ inline System<2> random_polygons(const PackingDraw& draw = {}) {
     const double radius = b % 2 ? 1.3 : 1;
     const int n = 9 + static_cast<int>(stream.below(6));
     const Vec2 centre{(b % rows) * draw.spacing, (b / rows) * draw.spacing * 1.1};
-    add_polygon(system, centre, 3 * radius * radius, n, stream.uniform(0, 6), draw.diameter_ratio, draw.shape);
+    add_polygon(system, centre, 3 * radius * radius, n, stream.uniform(0, 6), draw.diameter_ratio,
+                draw.shape);
     for (int i = system.topology.begin[b]; i < system.topology.begin[b + 1]; ++i)
       for (int d = 0; d < 2; ++d) system.state.position[i][d] += draw.jitter * stream.uniform(-1, 1);
   }

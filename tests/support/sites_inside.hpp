@@ -1,4 +1,5 @@
-/// Sites that have got inside another body, by comparing all of them: what look_at and contacts are compared with.
+/// Sites that have got inside another body, by comparing all of them: what look_at and contacts are compared
+/// with.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,8 @@ struct Cells {
   double first, last;
 };
 
-inline Cells overlapping(const Bounds& a, const Bounds& b, int d, double moved, double length, bool periodic) {
+inline Cells overlapping(const Bounds& a, const Bounds& b, int d, double moved, double length,
+                         bool periodic) {
   const double low = (a.low[d] - b.high[d] - moved) / length, high = (a.high[d] - b.low[d] - moved) / length;
   if (!periodic) return {low <= 0 && high >= 0 ? 0.0 : 1.0, 0};
   return {std::ceil(low), std::floor(high)};
@@ -53,8 +55,8 @@ void for_overlapping_images(const Box<2>& box, const Bounds& a, const Bounds& b,
   }
 }
 
-/// Every site that lies inside the polygon of another body, through any periodic image, by body and site; empty in a
-/// valid state. Bodies that cross with no vertex of either inside the other are not found.
+/// Every site that lies inside the polygon of another body, through any periodic image, by body and site;
+/// empty in a valid state. Bodies that cross with no vertex of either inside the other are not found.
 inline std::vector<SiteInside> find_sites_inside(const System<2>& system) {
   const Topology<2>& topology = system.topology;
   const std::vector<Vec2>& x = system.state.position;

@@ -6,14 +6,17 @@
 
 namespace supple::testing {
 
-/// n bidisperse discs at random in a cell of 10 x 8 with random velocities and spins; radii for that packing fraction.
-inline System<2> random_suspension(int n, double packing_fraction, double strain = 0, std::uint64_t seed = 1) {
+/// n bidisperse discs at random in a cell of 10 x 8 with random velocities and spins; radii for that packing
+/// fraction.
+inline System<2> random_suspension(int n, double packing_fraction, double strain = 0,
+                                   std::uint64_t seed = 1) {
   System<2> system;
   system.box.length = {10, 8};
   system.box.strain = strain;
   system.box.strain_rate = 0.3;
   system.state.resize(n);
-  const double large = std::sqrt(packing_fraction * system.box.volume() / (n * 3.141592653589793 * (0.5 + 0.5 / 1.96)));
+  const double large =
+      std::sqrt(packing_fraction * system.box.volume() / (n * 3.141592653589793 * (0.5 + 0.5 / 1.96)));
   for (int i = 0; i < n; ++i) {
     RandomStream draw(seed, Purpose::test, static_cast<std::uint64_t>(i));
     State<2>& s = system.state;

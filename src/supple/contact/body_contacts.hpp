@@ -36,7 +36,8 @@ class BodyContacts {
   virtual std::vector<ContactRecord<2>> records(const System<2>& system) = 0;
   /// Adds second derivatives.
   virtual void add_hessian(const System<2>& system, HessianBlocks<2>& blocks);
-  /// Vertices that the last evaluation found near a part of a body that is no simple arc; rough contacts have none.
+  /// Vertices that the last evaluation found near a part of a body that is no simple arc; rough contacts have
+  /// none.
   virtual int feature_violations() const { return 0; }
 
  private:

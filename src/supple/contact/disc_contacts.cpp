@@ -20,8 +20,9 @@ struct ChunkSum {
   }
 };
 
-// Rows are taken in batches, each gathered into lanes, computed in loops that vectorise, and scattered. Only rows that
-// touch meet the law; which ones do in a dense packing cannot be predicted, so they are sorted out without branches.
+// Rows are taken in batches, each gathered into lanes, computed in loops that vectorise, and scattered. Only
+// rows that touch meet the law; which ones do in a dense packing cannot be predicted, so they are sorted out
+// without branches.
 constexpr int batch_size = 64;
 using Lane = std::array<double, batch_size>;
 
@@ -109,8 +110,8 @@ void gather_motion(const System<2>& system, const Candidates& c, Touching& t) {
   }
 }
 
-/// respond(motion, elongation) in lanes [begin, end). Share of the lever arm that goes with the distance: 1 or 0.
-/// Everything by value: the compiler then knows that no lane aliases it.
+/// respond(motion, elongation) in lanes [begin, end). Share of the lever arm that goes with the distance: 1
+/// or 0. Everything by value: the compiler then knows that no lane aliases it.
 template <class Respond>
 void apply_law(int begin, int end, const double share, Touching& t, const Respond respond) {
   for (int k = begin; k < end; ++k) {
@@ -146,8 +147,14 @@ void write_rows(const Candidates& c, const Touching& t, Evaluation<2>& out) {
   for (int k = 0; k < c.count; ++k) pair[k].active = false;
   for (int a = 0; a < t.count; ++a) {
     const int lane = t.lane[a], k = t.candidate[lane];
-    pair[k] = {{t.n_x[lane], t.n_y[lane]}, t.distance[lane], t.elastic[lane], t.viscous[lane], t.tangential[lane],
-               static_cast<std::int32_t>(c.up[k]), c.up[k] != 0 || c.along[k] != 0, true};
+    pair[k] = {{t.n_x[lane], t.n_y[lane]},
+               t.distance[lane],
+               t.elastic[lane],
+               t.viscous[lane],
+               t.tangential[lane],
+               static_cast<std::int32_t>(c.up[k]),
+               c.up[k] != 0 || c.along[k] != 0,
+               true};
     state[k] = t.state[lane];
     history[k] = t.new_elongation[lane];
   }
@@ -167,12 +174,13 @@ void add_forces(const System<2>& system, const Candidates& c, const Touching& t,
 }
 
 template <class R>
-void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& system, double dt, const Candidates& c,
-                  const Touching& t, const Evaluation<2>& out, ChunkSum& sum) {
+void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& system, double dt,
+                  const Candidates& c, const Touching& t, const Evaluation<2>& out, ChunkSum& sum) {
   for (int row = c.begin; row < c.begin + c.count; ++row) {
     const double u = system.pairs.history[row];
     // A spring that is still wound up when the contact opens is lost to friction.
-    if (!out.pair[row].active && u != 0 && dt > 0) sum.energy.sliding_power += 0.5 * law.contact.k_t * u * u / dt;
+    if (!out.pair[row].active && u != 0 && dt > 0)
+      sum.energy.sliding_power += 0.5 * law.contact.k_t * u * u / dt;
   }
   for (int a = 0; a < t.count; ++a) {
     const int lane = t.lane[a], row = c.begin + t.candidate[lane];
@@ -186,7 +194,8 @@ void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& syste
     const double viscous = slides && law.slip != Slip::clamp ? 0 : s.eta_t * v_t * v_t;
     sum.energy.tangential_viscous_power += viscous;
     if (slides && dt > 0)
-      sum.energy.sliding_power += t.tangential[lane] * v_t - viscous - 0.5 * s.k_t * (u_new * u_new - u * u) / dt;
+      sum.energy.sliding_power +=
+          t.tangential[lane] * v_t - viscous - 0.5 * s.k_t * (u_new * u_new - u * u) / dt;
     sum.virial.add_outer(-t.distance[lane], force_on_first(out.pair[row]), out.pair[row].normal);
   }
 }
@@ -210,7 +219,9 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
   const DiscLaw law = law_;
   const SlipRule slip(law.slip, law.contact.k_t);
   const double share = law.lever_arm == LeverArm::distance ? 1 : 0;
-  const auto contact = [=](const PairMotion& m, double u) { return respond_contact(repulsion, law, slip, m, u, dt); };
+  const auto contact = [=](const PairMotion& m, double u) {
+    return respond_contact(repulsion, law, slip, m, u, dt);
+  };
   const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u, dt); };
   const bool serial = runs_in_place(system.state.size());
 
@@ -249,13 +260,15 @@ void DiscContacts::gather(const System<2>& system, Evaluation<2>& out) const {
         const PairForce<2>& p = out.pair[row];
         if (!p.active) continue;
         out.force[i] -= force_on_first(p);
-        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[row]] + radius[i]);
+        out.torque[i] +=
+            radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[row]] + radius[i]);
       }
       for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) {
         const PairForce<2>& p = out.pair[row];
         if (!p.active) continue;
         out.force[i] += force_on_first(p);
-        out.torque[i] += radius[i] * torque_per_radius(p.tangential, p.distance, radius[i] + radius[pairs.second[row]]);
+        out.torque[i] +=
+            radius[i] * torque_per_radius(p.tangential, p.distance, radius[i] + radius[pairs.second[row]]);
       }
     }
   });

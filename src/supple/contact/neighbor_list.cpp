@@ -45,8 +45,8 @@ class CarryOver {
     double shortest = std::numeric_limits<double>::infinity();
     for (int d = 0; d < Dim; ++d)
       if (system.box.periodic[d]) shortest = std::min(shortest, system.box.length[d]);
-    // While the table lives two sites change their distance d by less than skin + d skin/reach, and the period by
-    // less than skin/reach of itself.
+    // While the table lives two sites change their distance d by less than skin + d skin/reach, and the
+    // period by less than skin/reach of itself.
     const double change = reach > 0 ? skin / reach : 0;
     longest_ = (0.5 * shortest * (1 - change) - skin) / (1 + change);
   }
@@ -65,7 +65,8 @@ class CarryOver {
             found ? old_.history[static_cast<std::size_t>(rows.at) * old_.width + w] : 0.0;
       pairs.image[row] = {};
       if (pairs.state[row] == ContactState::permanent)
-        long_link |= keep_image(state_.position[pairs.second[row]] - state_.position[i], rows.at, pairs.image[row]);
+        long_link |=
+            keep_image(state_.position[pairs.second[row]] - state_.position[i], rows.at, pairs.image[row]);
     }
     return long_link;
   }
@@ -77,7 +78,8 @@ class CarryOver {
       images_.subtract(cells_of<Dim>(image), r);
     } else {
       const Vec<Dim> cells = images_.reduce(r);
-      for (int d = 0; d < Dim; ++d) image.cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(cells[d]);
+      for (int d = 0; d < Dim; ++d)
+        image.cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(cells[d]);
       image.kept = true;
     }
     return !(norm(r) < longest_);
@@ -114,8 +116,8 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const double slack = skin_ - (std::abs(strain_change) + largest_growth) * reach_;
   if (!(slack > 0)) return true;
   const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
-  // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped: the
-  // nearest image is asked for only where it matters.
+  // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped:
+  // the nearest image is asked for only where it matters.
   const auto within = [&](const auto& nearest) {
     std::int64_t count = 0;
     for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
@@ -134,8 +136,7 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
 
 template <int Dim>
 void NeighborList<Dim>::require_periods(const Box<Dim>& box) const {
-  if (const auto period = short_period(box, least_period_))
-    throw period->error(ErrorKind::input);
+  if (const auto period = short_period(box, least_period_)) throw period->error(ErrorKind::input);
 }
 
 template <int Dim>

@@ -9,12 +9,13 @@ namespace supple {
 /// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
 inline constexpr double default_skin = 0.4;
 
-/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii (Meeting::facets: and
-/// half of the longest facets at either site), and every permanent link however stretched, has a row; pairs within the
-/// skin have one too. Rows that leave lose their history; permanent ones stay. Stale when a site has moved, relative to
-/// the affine flow and the change of the box since the last build, so far that a pair without a row could touch: 2
-/// max|u| + (|strain change| + |relative change of lengths|) * reach > skin. A periodic cell in which a site could meet
-/// another body on two sides (least_period) is refused, also where it has shrunk: too few particles are wrong input.
+/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii
+/// (Meeting::facets: and half of the longest facets at either site), and every permanent link however
+/// stretched, has a row; pairs within the skin have one too. Rows that leave lose their history; permanent
+/// ones stay. Stale when a site has moved, relative to the affine flow and the change of the box since the
+/// last build, so far that a pair without a row could touch: 2 max|u| + (|strain change| + |relative change
+/// of lengths|) * reach > skin. A periodic cell in which a site could meet another body on two sides
+/// (least_period) is refused, also where it has shrunk: too few particles are wrong input.
 template <int Dim>
 class NeighborList {
  public:

@@ -4,17 +4,21 @@
 
 namespace supple {
 
-void evaluate_plates(const System<2>& system, const Repulsion& repulsion, double k, Detail detail, Evaluation<2>& out) {
+void evaluate_plates(const System<2>& system, const Repulsion& repulsion, double k, Detail detail,
+                     Evaluation<2>& out) {
   const auto touch = [&](std::int32_t i, int d, double height, double sign) {
     const double distance = 2 * height, d0 = 2 * system.state.radius[i];
-    std::visit([&](const auto& law) {
-      Vec2 force{};
-      force[d] = sign * law.force(distance, d0, k);
-      out.force[i] += force;
-      out.wall.push_back({i, force});
-      // The mirror image moves with the disc: the distance changes twice as fast as the height, so half of the energy.
-      if (detail == Detail::energies) out.energy.wall += 0.5 * law.energy(distance, d0, k);
-    }, repulsion);
+    std::visit(
+        [&](const auto& law) {
+          Vec2 force{};
+          force[d] = sign * law.force(distance, d0, k);
+          out.force[i] += force;
+          out.wall.push_back({i, force});
+          // The mirror image moves with the disc: the distance changes twice as fast as the height, so half
+          // of the energy.
+          if (detail == Detail::energies) out.energy.wall += 0.5 * law.energy(distance, d0, k);
+        },
+        repulsion);
   };
   // A disc that was thrown beyond a wall is pushed back as from its surface.
   const auto height_over = [](double y, double r) { return std::max(y, 1e-3 * r); };

@@ -23,8 +23,9 @@ std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting) {
 
 namespace {
 
-/// The largest extent of the body along a periodic axis of the cell. Images one cell along the gradient, however far they are
-/// displaced along the flow, are as far away in height as the cell is high; all others are a multiple of its length away.
+/// The largest extent of the body along a periodic axis of the cell. Images one cell along the gradient,
+/// however far they are displaced along the flow, are as far away in height as the cell is high; all others
+/// are a multiple of its length away.
 template <int Dim>
 double extent_of_body(const System<Dim>& system, std::int32_t begin, std::int32_t end) {
   const State<Dim>& state = system.state;
@@ -60,11 +61,12 @@ double least_period(const System<Dim>& system, const std::vector<double>& reach)
 }
 
 Error ShortPeriod::error(ErrorKind kind) const {
-  return Error(kind,
-               fmt::format("the period of the cell along {} is {:.3g} of the least: a particle meets itself or a "
-                           "neighbour on two sides",
-                           "xyz"[direction], length / least),
-               "only the nearest image would count", "take a larger cell, or raise bodies.N or particles.N");
+  return Error(
+      kind,
+      fmt::format("the period of the cell along {} is {:.3g} of the least: a particle meets itself or a "
+                  "neighbour on two sides",
+                  "xyz"[direction], length / least),
+      "only the nearest image would count", "take a larger cell, or raise bodies.N or particles.N");
 }
 
 template std::vector<double> reach_of_sites(const System<2>&, Meeting);

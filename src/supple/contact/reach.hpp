@@ -15,9 +15,9 @@ enum class Meeting { sites, facets };
 template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting);
 
-/// The shortest period in which every contact is with the nearest image, and with no other one [length]: twice the
-/// largest reach of two sites of different bodies, and the extent of every body along it. In a shorter one a site may meet
-/// another body on two sides, or a body itself.
+/// The shortest period in which every contact is with the nearest image, and with no other one [length]:
+/// twice the largest reach of two sites of different bodies, and the extent of every body along it. In a
+/// shorter one a site may meet another body on two sides, or a body itself.
 template <int Dim>
 double least_period(const System<Dim>& system, const std::vector<double>& reach);
 
@@ -27,7 +27,8 @@ struct ShortPeriod {
   Error error(ErrorKind kind) const;
 };
 
-/// The first periodic direction that is shorter than `least`. Directions with walls have no images and no least length.
+/// The first periodic direction that is shorter than `least`. Directions with walls have no images and no
+/// least length.
 template <int Dim>
 std::optional<ShortPeriod> short_period(const Box<Dim>& box, double least) {
   for (int d = 0; d < Dim; ++d)

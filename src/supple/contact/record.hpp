@@ -26,12 +26,13 @@ struct ContactRecord {
   Vec<Dim> normal{};                       ///< unit vector toward the sites of positive weight
   /// Sum c_a x_a over the nearest images [length]; torques balance where it is -sum c_a arm_a.
   Vec<Dim> branch{};
-  double reach = 0;       ///< distance at which the surfaces meet [length]
-  double gap = 0;         ///< distance less reach; negative: overlap [length]
-  /// Factor on the law's energy and force: -1 takes back a corner that two edges counted, 1/2 is the scale of 9.5.
+  double reach = 0;  ///< distance at which the surfaces meet [length]
+  double gap = 0;    ///< distance less reach; negative: overlap [length]
+  /// Factor on the law's energy and force: -1 takes back a corner that two edges counted, 1/2 is the scale
+  /// of 9.5.
   double multiplicity = 1;
-  /// Records with the same number, one after the other, are one contact: only their sum acts, counts and slides.
-  /// -1: a contact by itself.
+  /// Records with the same number, one after the other, are one contact: only their sum acts, counts and
+  /// slides. -1: a contact by itself.
   std::int32_t touch = -1;
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
   std::int32_t up = 0;    ///< cells between the two sides along the gradient

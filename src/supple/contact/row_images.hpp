@@ -8,10 +8,10 @@
 
 namespace supple {
 
-/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. Where every period is at least
-/// twice the distance to which rows are made, the image that is near when a row is made is the only one that can touch
-/// while the row lives; a few images serve all rows, and an evaluation looks its shift up instead of searching for it.
-/// In smaller cells the nearest image is found at every evaluation.
+/// Bodies that deform are not wrapped, so their sites may be any number of cells apart. Where every period is
+/// at least twice the distance to which rows are made, the image that is near when a row is made is the only
+/// one that can touch while the row lives; a few images serve all rows, and an evaluation looks its shift up
+/// instead of searching for it. In smaller cells the nearest image is found at every evaluation.
 template <int Dim>
 class RowImages {
  public:

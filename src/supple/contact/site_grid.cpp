@@ -92,7 +92,8 @@ void SiteGrid<Dim>::sort(Level& level) const {
   std::vector<std::int32_t> next(level.begin.begin(), level.begin.end() - 1);
   for (std::size_t k = 0; k < level.site.size(); ++k) {
     const std::int32_t i = level.site[k];
-    level.entries[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[k])]++)] = {position_[i], radius_[i], i};
+    level.entries[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[k])]++)] = {position_[i],
+                                                                                          radius_[i], i};
   }
 }
 

@@ -7,10 +7,10 @@
 
 namespace supple {
 
-/// One grid for each class of sizes, a factor of two in radius, as wide as the pairs of its own class: a site looks
-/// into each grid as far as it reaches there. So a few large sites cost the small ones nothing [Ogarko & Luding 2012].
-/// Cells of a grid are a few for each site, however empty or long the box. Every periodic image within reach is looked
-/// at, at any strain, for positions anywhere.
+/// One grid for each class of sizes, a factor of two in radius, as wide as the pairs of its own class: a site
+/// looks into each grid as far as it reaches there. So a few large sites cost the small ones nothing [Ogarko
+/// & Luding 2012]. Cells of a grid are a few for each site, however empty or long the box. Every periodic
+/// image within reach is looked at, at any strain, for positions anywhere.
 template <int Dim>
 class SiteGrid {
  public:

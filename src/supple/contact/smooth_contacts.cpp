@@ -136,8 +136,8 @@ Inside find_inside(const Scene& scene, std::int32_t begin, std::int32_t end) {
   return nearest;
 }
 
-/// visit(candidate, part, touch, sigma, sign) for each part that acts, in order; close(arcs) behind the last one of each
-/// group that met something: the Euler number of what is within sigma.
+/// visit(candidate, part, touch, sigma, sign) for each part that acts, in order; close(arcs) behind the last
+/// one of each group that met something: the Euler number of what is within sigma.
 template <class Visit, class Close>
 inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
                  const std::vector<std::int32_t>& group_begin, const Visit& visit, const Close& close) {
@@ -241,7 +241,8 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   candidates_.update(system);
   std::vector<ContactRecord<2>> records;
   std::int32_t touches = 0;
-  const auto begin = [&](const Touch& touch, double sigma, double factor, const Vec2& cells) -> ContactRecord<2>& {
+  const auto begin = [&](const Touch& touch, double sigma, double factor,
+                         const Vec2& cells) -> ContactRecord<2>& {
     ContactRecord<2>& record = records.emplace_back();
     record.normal = touch.normal;
     record.branch = touch.distance * touch.normal;

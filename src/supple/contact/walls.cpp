@@ -23,8 +23,8 @@ void for_overlaps(const System<2>& system, const WallLaw& walls, const Visit& vi
     }
 }
 
-/// Friction of a site that presses on the floor with `normal`: a spring to the point where it sticks, which is dragged
-/// along when the spring pulls more than Coulomb allows.
+/// Friction of a site that presses on the floor with `normal`: a spring to the point where it sticks, which
+/// is dragged along when the spring pulls more than Coulomb allows.
 double drag(double friction, double spring, double x, double normal, double stuck_at, double& trial) {
   trial = std::isnan(stuck_at) ? x : stuck_at;
   const double most = friction * normal / spring;
@@ -46,8 +46,8 @@ void evaluate_walls(const System<2>& system, const WallLaw& walls, Detail detail
     if (friction && d == gradient && sign > 0) {
       const double stuck_at = system.floor_contact.size() == n ? system.floor_contact[i] : unstuck;
       const double along = walls.floor_stiffness * spring;
-      force[flow] =
-          drag(walls.floor_friction, along, system.state.position[i][flow], push, stuck_at, out.trial_floor_contact[i]);
+      force[flow] = drag(walls.floor_friction, along, system.state.position[i][flow], push, stuck_at,
+                         out.trial_floor_contact[i]);
       if (detail == Detail::energies) out.energy.tangential += 0.5 * force[flow] * force[flow] / along;
     }
     out.force[i] += force;

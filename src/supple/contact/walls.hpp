@@ -9,18 +9,19 @@
 
 namespace supple {
 
-/// U = (k_p/2)(sigma/2 - distance)^2 between a site and a wall nearer than sigma/2, at x_d = 0 and x_d = length_d of
-/// every direction that is not periodic. A site beyond a wall is pushed back. stands[d][0], [1]: whether the lower, the
-/// upper one is there.
+/// U = (k_p/2)(sigma/2 - distance)^2 between a site and a wall nearer than sigma/2, at x_d = 0 and x_d =
+/// length_d of every direction that is not periodic. A site beyond a wall is pushed back. stands[d][0], [1]:
+/// whether the lower, the upper one is there.
 struct WallLaw {
   Harmonic repulsion{4, false};
-  double floor_friction = 0;      ///< Coulomb coefficient of the floor, the lower wall of the gradient direction
-  double floor_stiffness = 0.5;   ///< of the spring to the point where a site sticks, over that of the repulsion
+  double floor_friction = 0;  ///< Coulomb coefficient of the floor, the lower wall of the gradient direction
+  double floor_stiffness =
+      0.5;  ///< of the spring to the point where a site sticks, over that of the repulsion
   std::array<std::array<bool, 2>, 2> stands{{{true, true}, {true, true}}};
 };
 
-/// Adds forces, energy.wall, the virial (walls move with the cell) and, with friction, the trial points of the floor
-/// where sites stick.
+/// Adds forces, energy.wall, the virial (walls move with the cell) and, with friction, the trial points of
+/// the floor where sites stick.
 void evaluate_walls(const System<2>& system, const WallLaw& walls, Detail detail, Evaluation<2>& out);
 /// Second derivatives of the repulsion.
 void add_wall_hessian(const System<2>& system, const WallLaw& walls, HessianBlocks<2>& blocks);

@@ -12,7 +12,8 @@ class Error : public std::runtime_error {
  public:
   /// `what` is wrong, `why` (may be empty), and what `to_do` about it (may be empty).
   Error(ErrorKind kind, const std::string& what, const std::string& why = {}, const std::string& to_do = {})
-      : std::runtime_error(what + (why.empty() ? "" : " (" + why + ")") + (to_do.empty() ? "" : "; " + to_do)),
+      : std::runtime_error(what + (why.empty() ? "" : " (" + why + ")") +
+                           (to_do.empty() ? "" : "; " + to_do)),
         kind_(kind) {}
   ErrorKind kind() const { return kind_; }
   int exit_code() const { return static_cast<int>(kind_); }
@@ -21,10 +22,12 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-inline Error input_error(const std::string& what, const std::string& why = {}, const std::string& to_do = {}) {
+inline Error input_error(const std::string& what, const std::string& why = {},
+                         const std::string& to_do = {}) {
   return {ErrorKind::input, what, why, to_do};
 }
-inline Error numerics_error(const std::string& what, const std::string& why = {}, const std::string& to_do = {}) {
+inline Error numerics_error(const std::string& what, const std::string& why = {},
+                            const std::string& to_do = {}) {
   return {ErrorKind::numerics, what, why, to_do};
 }
 inline Error file_error(const std::string& what, const std::string& why = {}, const std::string& to_do = {}) {

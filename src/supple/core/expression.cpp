@@ -35,11 +35,13 @@ std::string named_value(double value) {
 
 }  // namespace
 
-Expression::Expression(const std::string& text, const std::vector<std::string>& variables, const std::string& what)
+Expression::Expression(const std::string& text, const std::vector<std::string>& variables,
+                       const std::string& what)
     : parser_(std::make_unique<Parser>()), name_(what + " \"" + text + "\""), variables_(variables) {
   const auto refuse = [&](const std::string& why, const std::string& to_do = {}) {
     const std::string grammar = fmt::format(
-        "it may use {}, pi, numbers such as 0.5, + - * / ^, comparisons, c ? a : b, and functions such as sin, exp, sqrt",
+        "it may use {}, pi, numbers such as 0.5, + - * / ^, comparisons, c ? a : b, and functions such as "
+        "sin, exp, sqrt",
         fmt::join(variables, ", "));
     throw input_error(name_ + " cannot be read", why, to_do.empty() ? grammar : to_do);
   };
@@ -49,7 +51,8 @@ Expression::Expression(const std::string& text, const std::vector<std::string>& 
   int results = 0;
   try {
     for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &parser_->values[i]);
-    for (const char* name : {"pi", "_pi"}) parser.DefineConst(name, std::numbers::pi);  // the library's has 12 decimals
+    for (const char* name : {"pi", "_pi"})
+      parser.DefineConst(name, std::numbers::pi);  // the library's has 12 decimals
     parser.SetExpr(text);
     parser.Eval(results);
   } catch (const mu::Parser::exception_type& e) {

@@ -81,13 +81,10 @@ ExpressionMistake find_mistake(const std::string& text, const mu::ParserError& e
   if (text.find_first_not_of(" \t\n") == text.npos) return {"it is empty", ""};
   const auto at = static_cast<std::size_t>(std::max(0, static_cast<int>(error.GetPos())));
   switch (error.GetCode()) {
-    case mu::ecMISSING_PARENS:
-      return {"a bracket is opened and not closed", "write ) where it ends"};
-    case mu::ecUNEXPECTED_EOF:
-      return {"it ends too early", "something must follow the last sign"};
+    case mu::ecMISSING_PARENS: return {"a bracket is opened and not closed", "write ) where it ends"};
+    case mu::ecUNEXPECTED_EOF: return {"it ends too early", "something must follow the last sign"};
     case mu::ecMISSING_ELSE_CLAUSE:
-    case mu::ecMISPLACED_COLON:
-      return {"a choice has two results", "write condition ? a : b"};
+    case mu::ecMISPLACED_COLON: return {"a choice has two results", "write condition ? a : b"};
     case mu::ecUNEXPECTED_PARENS:
       if (at < text.size() && text[at] == '(')
         return {fmt::format("nothing stands between '{}' and its bracket", name_at(text, at)),
@@ -103,8 +100,7 @@ ExpressionMistake find_mistake(const std::string& text, const mu::ParserError& e
     case mu::ecUNEXPECTED_ARG:
       return {"a function has too few or too many values, or a comma stands outside of one",
               "write sin(x), min(x, y); decimals have a point: 0.5"};
-    default:
-      break;
+    default: break;
   }
   if (const std::string name = name_at(text, at);
       !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])))

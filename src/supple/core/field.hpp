@@ -1,4 +1,5 @@
-/// A parameter, declared once: read by the TOML loader, the command's help, the file's attributes and the docs.
+/// A parameter, declared once: read by the TOML loader, the command's help, the file's attributes and the
+/// docs.
 #pragma once
 #include <cmath>
 #include <cstdint>

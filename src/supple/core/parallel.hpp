@@ -16,12 +16,14 @@ inline constexpr std::int64_t chunk_size = 256;
 inline std::int64_t chunk_count(std::int64_t n) { return (n + chunk_size - 1) / chunk_size; }
 
 /// Whether a loop over n runs its chunks in order in the calling thread, as there is too little to share.
-inline bool runs_in_place(std::int64_t n) { return thread_count() == 1 || chunk_count(n) < 2 * thread_count(); }
+inline bool runs_in_place(std::int64_t n) {
+  return thread_count() == 1 || chunk_count(n) < 2 * thread_count();
+}
 
-/// Calls work(context, chunk) for each of [0, chunks), shared with up to `threads` - 1 helpers that sleep between
-/// loops (docs/decisions/0013). The caller takes every chunk that no helper has begun: it never waits for a thread
-/// that the system has not let run. Of exceptions that of the first chunk is thrown on, after all chunks. A call
-/// from within a chunk, or while another thread is in here, runs in place.
+/// Calls work(context, chunk) for each of [0, chunks), shared with up to `threads` - 1 helpers that sleep
+/// between loops (docs/decisions/0013). The caller takes every chunk that no helper has begun: it never waits
+/// for a thread that the system has not let run. Of exceptions that of the first chunk is thrown on, after
+/// all chunks. A call from within a chunk, or while another thread is in here, runs in place.
 void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context);
 
 /// body(chunk, begin, end) for each chunk of [0, n).
@@ -37,7 +39,8 @@ void for_chunks(std::int64_t n, Body&& body) {
     return;
   }
   using Run = decltype(run);
-  run_chunks(chunks, thread_count(), [](void* r, std::int64_t c) { (*static_cast<Run*>(r))(c); }, &run);
+  run_chunks(
+      chunks, thread_count(), [](void* r, std::int64_t c) { (*static_cast<Run*>(r))(c); }, &run);
 }
 
 /// Sum over chunks of body(begin, end), added in the order of the chunks. Sum must have +=.

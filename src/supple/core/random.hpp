@@ -1,5 +1,5 @@
-/// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011), keyed by (seed, purpose, index): a draw does
-/// not depend on the number of threads, the order of calls, or how many other things are drawn.
+/// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011), keyed by (seed, purpose, index): a draw
+/// does not depend on the number of threads, the order of calls, or how many other things are drawn.
 #pragma once
 #include <Random123/philox.h>
 
@@ -9,12 +9,23 @@ namespace supple {
 
 /// What a stream is for. Append only: the numbers are part of every published seed.
 enum class Purpose : std::uint32_t {
-  disc_position = 1, disc_size = 2, particle_seed = 3, edge_fuzziness = 4, cut_line = 5,
-  link_removal = 6, isolated_join = 7, coincident_normal = 8, body_position = 9, body_angle = 10,
-  body_velocity = 11, area_sample = 12, test = 100
+  disc_position = 1,
+  disc_size = 2,
+  particle_seed = 3,
+  edge_fuzziness = 4,
+  cut_line = 5,
+  link_removal = 6,
+  isolated_join = 7,
+  coincident_normal = 8,
+  body_position = 9,
+  body_angle = 10,
+  body_velocity = 11,
+  area_sample = 12,
+  test = 100
 };
 
-/// Index of a stream that belongs to two numbers, such as a repeated attempt and a disc; neither may be negative.
+/// Index of a stream that belongs to two numbers, such as a repeated attempt and a disc; neither may be
+/// negative.
 inline std::uint64_t stream_index(std::int32_t high, std::int32_t low) {
   return (static_cast<std::uint64_t>(high) << 32) | static_cast<std::uint32_t>(low);
 }

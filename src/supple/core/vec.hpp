@@ -12,16 +12,29 @@ struct VecOf {
   constexpr S& operator[](int a) { return e[a]; }
   constexpr const S& operator[](int a) const { return e[a]; }
 
-  constexpr VecOf& operator+=(const VecOf& b) { for (int a = 0; a < Dim; ++a) e[a] += b[a]; return *this; }
-  constexpr VecOf& operator-=(const VecOf& b) { for (int a = 0; a < Dim; ++a) e[a] -= b[a]; return *this; }
-  constexpr VecOf& operator*=(const S& s) { for (int a = 0; a < Dim; ++a) e[a] *= s; return *this; }
+  constexpr VecOf& operator+=(const VecOf& b) {
+    for (int a = 0; a < Dim; ++a) e[a] += b[a];
+    return *this;
+  }
+  constexpr VecOf& operator-=(const VecOf& b) {
+    for (int a = 0; a < Dim; ++a) e[a] -= b[a];
+    return *this;
+  }
+  constexpr VecOf& operator*=(const S& s) {
+    for (int a = 0; a < Dim; ++a) e[a] *= s;
+    return *this;
+  }
   friend constexpr VecOf operator+(VecOf a, const VecOf& b) { return a += b; }
   friend constexpr VecOf operator-(VecOf a, const VecOf& b) { return a -= b; }
   friend constexpr VecOf operator*(const S& s, VecOf a) { return a *= s; }
   friend constexpr VecOf operator*(VecOf a, const S& s) { return a *= s; }
-  friend constexpr VecOf operator-(VecOf a) { for (int k = 0; k < Dim; ++k) a[k] = -a[k]; return a; }
+  friend constexpr VecOf operator-(VecOf a) {
+    for (int k = 0; k < Dim; ++k) a[k] = -a[k];
+    return a;
+  }
   friend constexpr bool operator==(const VecOf& a, const VecOf& b) {
-    for (int k = 0; k < Dim; ++k) if (!(a[k] == b[k])) return false;
+    for (int k = 0; k < Dim; ++k)
+      if (!(a[k] == b[k])) return false;
     return true;
   }
 };
@@ -38,18 +51,25 @@ constexpr S dot(const VecOf<S, Dim>& a, const VecOf<S, Dim>& b) {
   return sum;
 }
 template <class S, int Dim>
-S norm(const VecOf<S, Dim>& a) { using std::sqrt; return sqrt(dot(a, a)); }
+S norm(const VecOf<S, Dim>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
 
 /// z component of a x b.
 template <class S>
-constexpr S cross(const VecOf<S, 2>& a, const VecOf<S, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+constexpr S cross(const VecOf<S, 2>& a, const VecOf<S, 2>& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
 template <class S>
 constexpr VecOf<S, 3> cross(const VecOf<S, 3>& a, const VecOf<S, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// a turned by +90 degrees.
 template <class S>
-constexpr VecOf<S, 2> turned_left(const VecOf<S, 2>& a) { return {-a[1], a[0]}; }
+constexpr VecOf<S, 2> turned_left(const VecOf<S, 2>& a) {
+  return {-a[1], a[0]};
+}
 /// (0, 0, w) x a.
 constexpr Vec2 cross(double w, const Vec2& a) { return w * turned_left(a); }
 
@@ -64,18 +84,21 @@ struct Mat {
   constexpr double* operator[](int a) { return e[a]; }
   constexpr const double* operator[](int a) const { return e[a]; }
   constexpr Mat& operator+=(const Mat& b) {
-    for (int a = 0; a < Dim; ++a) for (int c = 0; c < Dim; ++c) e[a][c] += b[a][c];
+    for (int a = 0; a < Dim; ++a)
+      for (int c = 0; c < Dim; ++c) e[a][c] += b[a][c];
     return *this;
   }
   constexpr Mat& operator*=(double s) {
-    for (int a = 0; a < Dim; ++a) for (int c = 0; c < Dim; ++c) e[a][c] *= s;
+    for (int a = 0; a < Dim; ++a)
+      for (int c = 0; c < Dim; ++c) e[a][c] *= s;
     return *this;
   }
   friend constexpr Mat operator+(Mat a, const Mat& b) { return a += b; }
   friend constexpr Mat operator*(double s, Mat a) { return a *= s; }
   /// Adds s * f r^T.
   constexpr void add_outer(double s, const Vec<Dim>& f, const Vec<Dim>& r) {
-    for (int a = 0; a < Dim; ++a) for (int c = 0; c < Dim; ++c) e[a][c] += s * f[a] * r[c];
+    for (int a = 0; a < Dim; ++a)
+      for (int c = 0; c < Dim; ++c) e[a][c] += s * f[a] * r[c];
   }
 };
 using Mat2 = Mat<2>;

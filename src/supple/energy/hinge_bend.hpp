@@ -16,8 +16,9 @@ struct HingeBend {
   struct Param {
     double stiffness, rest;
   };
-  static constexpr auto fields = std::tuple{Field<Param>{"stiffness", &Param::stiffness, "energy", "k", not_negative},
-                                            Field<Param>{"rest", &Param::rest, "radian", "rest angle theta0"}};
+  static constexpr auto fields =
+      std::tuple{Field<Param>{"stiffness", &Param::stiffness, "energy", "k", not_negative},
+                 Field<Param>{"rest", &Param::rest, "radian", "rest angle theta0"}};
 
   template <class S>
   static S energy(const VecOf<S, Dim> (&x)[arity], const Param& p) {

@@ -52,7 +52,8 @@ void refuse_other_matter(const Case& c, const std::string& file, bool bodies) {
 void adopt_bodies(Case& c, const InitialState& initial) {
   if (initial.contact) {
     if (!c.is_given("contact.k_c")) c.contact.k_c = initial.contact->stiffness;
-    if (!c.is_given("bodies.stiffness")) c.bodies.stiffness = initial.contact->relative ? "relative" : "absolute";
+    if (!c.is_given("bodies.stiffness"))
+      c.bodies.stiffness = initial.contact->relative ? "relative" : "absolute";
   }
   adopt_stiffness(c, initial.system);
   const double weight = -initial.environment.gravity[gradient];

@@ -131,7 +131,8 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (auto b = static_cast<int>(begin); b < end; ++b) {
       System<2> alone;
-      add_particle(c, sizes, b, {pitch * b, 0}, alone);  // every packing follows, to the last bit, from areas there
+      add_particle(c, sizes, b, {pitch * b, 0},
+                   alone);  // every packing follows, to the last bit, from areas there
       alone.box.length = {apart, apart};
       area[b] = packing_fraction(alone, outline_of(c)).area[0];
       loose.radius[b] = outer_radius(alone, 0);
@@ -174,7 +175,8 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
   System<2> system;
   system.box = loose.cell;
   for (int b = 0; b < sizes.bodies(); ++b) add_particle(c, sizes, b, centre[b], system);
-  if (const Soundness s = look_at(system, outline_of(c)); s.inside + s.crossing > 0 && c.contact.unsound == "stop")
+  if (const Soundness s = look_at(system, outline_of(c));
+      s.inside + s.crossing > 0 && c.contact.unsound == "stop")
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
                       fmt::format("there is no room, of {} particles: {}", sizes.bodies(), s.what()),
                       "start at a lower one, and compress");

@@ -21,14 +21,17 @@ struct BodySizes {
   /// Preferred area: of small particles and extra discs 1.
   double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
   /// 1 of a disc.
-  int vertices(int body) const { return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small; }
+  int vertices(int body) const {
+    return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small;
+  }
 
   int particles, discs, large;
   double ratio;
   int vertices_small, vertices_large;
 };
 
-/// The shape of a cell: height over width, periodic or between walls. Its lengths follow from the packing fraction.
+/// The shape of a cell: height over width, periodic or between walls. Its lengths follow from the packing
+/// fraction.
 struct Enclosure {
   double aspect_ratio = 1;
   std::array<bool, 2> periodic{true, true};
@@ -41,15 +44,15 @@ struct LooseBodies {
   Box<2> cell;
 };
 
-/// Everything about a random packing but where its particles are. Input error where the largest does not fit into the
-/// cell.
+/// Everything about a random packing but where its particles are. Input error where the largest does not fit
+/// into the cell.
 LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {});
 
 /// The particles in a square array, far apart.
 System<2> particles_apart(const Case& c);
 
-/// The particles at random positions in the cell, moved apart as far as can be. Input error where there is no room;
-/// `interrupted` where asked to stop.
+/// The particles at random positions in the cell, moved apart as far as can be. Input error where there is no
+/// room; `interrupted` where asked to stop.
 System<2> random_packing(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
                          const std::function<bool()>& stop_requested = {});
 

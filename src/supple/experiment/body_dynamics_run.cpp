@@ -53,13 +53,15 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   recorder.declare("motion", motion_columns(packing));
   const std::int64_t steps = c.time.steps, per_row = std::max<std::int64_t>(1, steps / rows);
   FrameSchedule frames(steps, c.output.frames);
-  const Surroundings surroundings = environment_of(packing).is_closed() ? Surroundings::closed : Surroundings::open;
+  const Surroundings surroundings =
+      environment_of(packing).is_closed() ? Surroundings::closed : Surroundings::open;
   LastGood good(packing);
   try {
     for (std::int64_t i = 0; i < steps; ++i) {
       const bool keeps_frame = frames.due(i);
       if (keeps_frame || i % look_interval(steps) == 0) good.look();
-      if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+      if (i % per_row == 0)
+        recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
       if (keeps_frame) recorder.frame(packing_frame(packing, report_packing(packing), surroundings));
       dynamics.advance(s, dt);
       if (i % 256 == 0) recorder.progress("dynamics", i, steps);

@@ -17,8 +17,8 @@ std::optional<PlasticLaw> plastic_law(const Case& c);
 /// As if nothing had moved before: no velocities, time and step 0, no memory of the floor.
 void put_at_rest(System<2>& system);
 
-/// Gaussian velocities without net momentum of exactly this kinetic energy per site, and of 3/2 of it per rigid body.
-/// Input error where only one site could move.
+/// Gaussian velocities without net momentum of exactly this kinetic energy per site, and of 3/2 of it per
+/// rigid body. Input error where only one site could move.
 void draw_velocities(System<2>& system, double energy, std::int64_t seed);
 
 /// Columns of a table of a motion: time, energies, momentum, pressure.

@@ -14,7 +14,8 @@ const Fields<General>& fields() {
        "",
        "what to run",
        any_value,
-       {"oscillatory_shear", "preparation", "dynamics", "jamming", "compression", "uniaxial_compression", "slump"}},
+       {"oscillatory_shear", "preparation", "dynamics", "jamming", "compression", "uniaxial_compression",
+        "slump"}},
       {"physics",
        &General::physics,
        "",
@@ -86,21 +87,36 @@ const Fields<Particles>& fields() {
   using P = Particles;
   static const Fields<P> all{
       {"N", &P::discs, "", "number of discs", {1, 1e7}},
-      {"packing_fraction", &P::packing_fraction, "", "area of all discs over area of the cell (S1-14)",
+      {"packing_fraction",
+       &P::packing_fraction,
+       "",
+       "area of all discs over area of the cell (S1-14)",
        {0, 5, true, false}},
       {"bimodal_factor", &P::bimodal_factor, "", "large over small radius", {1, 100}},
       {"permanent_links", &P::permanent_links, "", "crosslink touching discs into particles"},
-      {"cut", &P::cut, "", "how the crosslinked scaffold is cut into particles", any_value, {"voronoi", "lines"}},
+      {"cut",
+       &P::cut,
+       "",
+       "how the crosslinked scaffold is cut into particles",
+       any_value,
+       {"voronoi", "lines"}},
       {"cut_lines", &P::cut_lines, "", "Voronoi points, or lines; 0 or 1 point: bulk scaffold", {0, 1e6}},
-      {"edge_fuzziness", &P::edge_fuzziness, "largest radius", "roughness of the Voronoi edges", not_negative},
-      {"avoid_horizontal_angle_degree", &P::avoid_horizontal_angle_degree, "degree",
-       "lines nearer to horizontal are drawn again", {0, 90, false, true}},
+      {"edge_fuzziness", &P::edge_fuzziness, "largest radius", "roughness of the Voronoi edges",
+       not_negative},
+      {"avoid_horizontal_angle_degree",
+       &P::avoid_horizontal_angle_degree,
+       "degree",
+       "lines nearer to horizontal are drawn again",
+       {0, 90, false, true}},
       {"avoid_height_spanning_particles", &P::avoid_height_spanning_particles, "",
        "cut again while a particle is taller than 0.9 of the cell"},
       {"max_cut_tries", &P::max_cut_tries, "", "cuts tried before giving up", at_least_one},
       {"cut_top_bottom", &P::cut_top_bottom, "", "also cut along the two plates (wall slip)"},
-      {"remove_link_fraction", &P::remove_link_fraction, "",
-       "fraction of links removed at random; particles stay connected", {0, 1, false, true}},
+      {"remove_link_fraction",
+       &P::remove_link_fraction,
+       "",
+       "fraction of links removed at random; particles stay connected",
+       {0, 1, false, true}},
   };
   static const Fields<P> f = with_role(Role::sample, all);
   return f;
@@ -111,10 +127,18 @@ const Fields<Cell>& fields() {
   static const Fields<Cell> all{
       {"width", &Cell::width, "m", "length along the flow", positive, {}, Role::sample},
       {"height", &Cell::height, "m", "gap between the plates", positive, {}, Role::sample},
-      {"boundary", &Cell::boundary, "", "Lees-Edwards; periodic without shear; or none, with discs fixed at the edge",
-       any_value, {"lees_edwards", "periodic", "fixed"}},
-      {"plates", &Cell::plates, "", "discs at a plate join it; are only repelled by it; or there are no plates",
-       any_value, {"capture", "repulsive", "none"}},
+      {"boundary",
+       &Cell::boundary,
+       "",
+       "Lees-Edwards; periodic without shear; or none, with discs fixed at the edge",
+       any_value,
+       {"lees_edwards", "periodic", "fixed"}},
+      {"plates",
+       &Cell::plates,
+       "",
+       "discs at a plate join it; are only repelled by it; or there are no plates",
+       any_value,
+       {"capture", "repulsive", "none"}},
   };
   static const Fields<Cell> f = with_role(Role::law, all);
   return f;
@@ -129,8 +153,13 @@ const Fields<Shear>& fields() {
       {"periods", &S::periods, "", "periods of shear", positive},
       {"pre_periods", &S::pre_periods, "", "periods of rest before", not_negative},
       {"post_periods", &S::post_periods, "", "periods of rest after", not_negative},
-      {"cool_factor", &S::cool_factor, "", "factor per period on velocity relative to the flow, and on spin",
-       {0, 1, true, false}, {}, Role::law},
+      {"cool_factor",
+       &S::cool_factor,
+       "",
+       "factor per period on velocity relative to the flow, and on spin",
+       {0, 1, true, false},
+       {},
+       Role::law},
       {"rate", &S::rate, "1/s", "shear rate as an expression of t [s] (dynamics)"},
   };
   return f;
@@ -151,8 +180,10 @@ const Fields<Preparation>& fields() {
   using P = Preparation;
   static const Fields<P> all{
       {"stress_tolerance", &P::stress_tolerance, "",
-       "relax until the stress fluctuates by less than this share of E/100, whatever is done to the sample", positive},
-      {"max_time", &P::max_time, "tau", "give up when one relaxation takes longer; tau = sqrt(m/k)", positive},
+       "relax until the stress fluctuates by less than this share of E/100, whatever is done to the sample",
+       positive},
+      {"max_time", &P::max_time, "tau", "give up when one relaxation takes longer; tau = sqrt(m/k)",
+       positive},
   };
   static const Fields<P> f = with_role(Role::sample, all);
   return f;
@@ -163,7 +194,8 @@ const Fields<Initial>& fields() {
   static const Fields<Initial> f{
       {"state", &Initial::state, "", "file to start from: a run of Supple, or the reference's JSON"},
       {"packing", &Initial::packing, "", "packing of deformable particles to start from: a JSON file"},
-      {"keep_time", &Initial::keep_time, "", "go on from the state's time and step (dynamics); else t starts at 0"},
+      {"keep_time", &Initial::keep_time, "",
+       "go on from the state's time and step (dynamics); else t starts at 0"},
   };
   return f;
 }

@@ -55,9 +55,9 @@ struct Shear {
 };
 
 struct Stepping {
-  double time_step = 0;   ///< 0: chosen from the stability and accuracy criterion
-  double step_factor = 1; ///< multiplies the chosen step
-  std::int64_t steps = 0; ///< `dynamics` only
+  double time_step = 0;    ///< 0: chosen from the stability and accuracy criterion
+  double step_factor = 1;  ///< multiplies the chosen step
+  std::int64_t steps = 0;  ///< `dynamics` only
 };
 
 struct Preparation {
@@ -77,7 +77,8 @@ struct Bodies {
   std::string vertex_rule = "equal";
   double size_ratio = 1.4, large_fraction = 0.5;
   double shape_parameter = 0;  ///< 0: of the regular polygon
-  double shape_ratio = 0, shape_ratio_large = 0;  ///< over that of each particle's regular polygon; 0: not given
+  double shape_ratio = 0,
+         shape_ratio_large = 0;  ///< over that of each particle's regular polygon; 0: not given
   double diameter_ratio = 1;
   std::string stiffness = "relative";
   double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
@@ -123,21 +124,22 @@ struct Motion {
 };
 
 struct Output {
-  std::string file;           ///< empty: <case name>.h5 beside the current folder
-  bool tensors = true;        ///< every tensor at every step
-  bool energies = false;      ///< the energy balance by channel at every step
-  int frames = 49;            ///< evenly spaced over the protocol, a quarter of a period by default; dynamics: every step
-  int images = 0;             ///< evenly spaced images over the protocol
+  std::string file;       ///< empty: <case name>.h5 beside the current folder
+  bool tensors = true;    ///< every tensor at every step
+  bool energies = false;  ///< the energy balance by channel at every step
+  int frames =
+      49;  ///< evenly spaced over the protocol, a quarter of a period by default; dynamics: every step
+  int images = 0;  ///< evenly spaced images over the protocol
   std::string image_format = "png";
-  bool plot = true;           ///< also draw strain and stress against time
+  bool plot = true;                   ///< also draw strain and stress against time
   double relative_y_scale_force = 0;  ///< end of the plot's stress axis; 0: what the data need
-  bool snapshot = true;       ///< also draw the cell at the end
-  bool text = false;          ///< also write the published text format
+  bool snapshot = true;               ///< also draw the cell at the end
+  bool text = false;                  ///< also write the published text format
 };
 
-/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the others hold
-/// defaults and give way to what a state file says. `origin` is the file the case came from, for errors and relative
-/// paths.
+/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the
+/// others hold defaults and give way to what a state file says. `origin` is the file the case came from, for
+/// errors and relative paths.
 struct Case {
   General general;
   Material material;
@@ -164,25 +166,43 @@ struct Case {
 
 template <class P>
 const Fields<P>& fields();
-template <> const Fields<General>& fields();
-template <> const Fields<Material>& fields();
-template <> const Fields<Particles>& fields();
-template <> const Fields<Cell>& fields();
-template <> const Fields<Shear>& fields();
-template <> const Fields<Stepping>& fields();
-template <> const Fields<Preparation>& fields();
-template <> const Fields<Bodies>& fields();
-template <> const Fields<Touch>& fields();
-template <> const Fields<Minimisation>& fields();
-template <> const Fields<Jamming>& fields();
-template <> const Fields<Compression>& fields();
-template <> const Fields<Uniaxial>& fields();
-template <> const Fields<Slump>& fields();
-template <> const Fields<Motion>& fields();
-template <> const Fields<Initial>& fields();
-template <> const Fields<Output>& fields();
+template <>
+const Fields<General>& fields();
+template <>
+const Fields<Material>& fields();
+template <>
+const Fields<Particles>& fields();
+template <>
+const Fields<Cell>& fields();
+template <>
+const Fields<Shear>& fields();
+template <>
+const Fields<Stepping>& fields();
+template <>
+const Fields<Preparation>& fields();
+template <>
+const Fields<Bodies>& fields();
+template <>
+const Fields<Touch>& fields();
+template <>
+const Fields<Minimisation>& fields();
+template <>
+const Fields<Jamming>& fields();
+template <>
+const Fields<Compression>& fields();
+template <>
+const Fields<Uniaxial>& fields();
+template <>
+const Fields<Slump>& fields();
+template <>
+const Fields<Motion>& fields();
+template <>
+const Fields<Initial>& fields();
+template <>
+const Fields<Output>& fields();
 
-/// visit(section, struct) for each section in the order of the file; `general` holds the keys above any section.
+/// visit(section, struct) for each section in the order of the file; `general` holds the keys above any
+/// section.
 template <class AnyCase, class Visit>
 void for_each_section(AnyCase& c, Visit&& visit) {
   visit("", c.general);
@@ -219,13 +239,14 @@ bool is_deformable(const Case& c);
 /// The sections of which the case's experiment uses a key, in the order of the file.
 std::vector<std::string> sections_of(const Case& c);
 
-/// The published package shears for three periods unless told. Stiffnesses that were not given get those of the family
-/// [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given, lets a particle lose its velocity while it falls by
-/// its diameter.
+/// The published package shears for three periods unless told. Stiffnesses that were not given get those of
+/// the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given, lets a particle lose its
+/// velocity while it falls by its diameter.
 void resolve_family(Case& c);
 
-/// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins, ...).
-/// Throws one input error, a line for each problem; ranges of single keys are checked where the case is read.
+/// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins,
+/// ...). Throws one input error, a line for each problem; ranges of single keys are checked where the case is
+/// read.
 void check(const Case& c);
 
 /// What is allowed but was probably not meant: keys without effect, protocols that cannot be evaluated.

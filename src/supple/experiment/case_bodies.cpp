@@ -9,8 +9,8 @@ namespace supple {
 
 namespace {
 
-/// A0 = 1.04, or 1 % above the least where few vertices cannot have that: at the least itself a floppy particle has
-/// one zero mode more [MacKeith 2025, section 9.2], and no minimisation ends soon.
+/// A0 = 1.04, or 1 % above the least where few vertices cannot have that: at the least itself a floppy
+/// particle has one zero mode more [MacKeith 2025, section 9.2], and no minimisation ends soon.
 double floppy_shape_parameter(int vertices) { return std::max(1.04, 1.01 * least_shape_parameter(vertices)); }
 
 }  // namespace
@@ -36,11 +36,15 @@ const Fields<Bodies>& fields() {
       {"size_ratio", &B::size_ratio, "", "large over small diameter", {1, 100}},
       {"large_fraction", &B::large_fraction, "", "share of large particles", fraction},
       {"A0", &B::shape_parameter, "",
-       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given", not_negative},
+       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given",
+       not_negative},
       {"A0_ratio", &B::shape_ratio, "",
-       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0", not_negative},
-      {"A0_ratio_large", &B::shape_ratio_large, "", "A0_ratio of large particles; 0: as of small ones", not_negative},
-      {"diameter_ratio", &B::diameter_ratio, "", "vertex diameter sigma over preferred edge length", positive},
+       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0",
+       not_negative},
+      {"A0_ratio_large", &B::shape_ratio_large, "", "A0_ratio of large particles; 0: as of small ones",
+       not_negative},
+      {"diameter_ratio", &B::diameter_ratio, "", "vertex diameter sigma over preferred edge length",
+       positive},
       {"stiffness",
        &B::stiffness,
        "",
@@ -50,13 +54,29 @@ const Fields<Bodies>& fields() {
        Role::number},
       {"k_a", &B::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
       {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
-      {"k_b", &B::k_b, "", "stiffness of corners; floppy, droplet: 0 unless given", not_negative, {}, Role::number},
+      {"k_b",
+       &B::k_b,
+       "",
+       "stiffness of corners; floppy, droplet: 0 unless given",
+       not_negative,
+       {},
+       Role::number},
       {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
-      {"yield_strain", &B::yield_strain, "",
-       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow", not_negative, {},
+      {"yield_strain",
+       &B::yield_strain,
+       "",
+       "strain of lengths and areas, and radian of angles, beyond which preferred shapes flow",
+       not_negative,
+       {},
        Role::law},
-      {"flow_time", &B::flow_time, "", "time in which they do; 0: they never flow", not_negative, {}, Role::law},
+      {"flow_time",
+       &B::flow_time,
+       "",
+       "time in which they do; 0: they never flow",
+       not_negative,
+       {},
+       Role::law},
   };
   static const Fields<B> f = with_role(Role::sample, all);
   return f;
@@ -66,15 +86,28 @@ template <>
 const Fields<Touch>& fields() {
   using T = Touch;
   static const Fields<T> all{
-      {"kind", &T::kind, "", "vertices as discs (9.3), or smooth boundaries (9.5, by inclusion-exclusion)", any_value,
+      {"kind",
+       &T::kind,
+       "",
+       "vertices as discs (9.3), or smooth boundaries (9.5, by inclusion-exclusion)",
+       any_value,
        {"rough", "smooth"}},
-      {"k_c", &T::k_c, "", "stiffness of contacts, relative or absolute as [bodies] stiffness says", positive, {},
+      {"k_c",
+       &T::k_c,
+       "",
+       "stiffness of contacts, relative or absolute as [bodies] stiffness says",
+       positive,
+       {},
        Role::number},
       {"k_p", &T::k_p, "k_c", "stiffness of walls over k_c", positive},
       {"floor_friction", &T::floor_friction, "", "Coulomb coefficient of the floor", not_negative},
-      {"unsound", &T::unsound, "",
-       "when a particle has got into another one: stop with the last good state, or mark it and go on", any_value,
-       {"stop", "mark"}, Role::run},
+      {"unsound",
+       &T::unsound,
+       "",
+       "when a particle has got into another one: stop with the last good state, or mark it and go on",
+       any_value,
+       {"stop", "mark"},
+       Role::run},
   };
   static const Fields<T> f = with_role(Role::law, all);
   return f;
@@ -90,11 +123,12 @@ const Fields<Minimisation>& fields() {
        "FIRE, then second order; or one of them alone",
        any_value,
        {"auto", "fire", "newton"}},
-      {"force_tolerance", &M::force_tolerance, "mean contact force", "largest net force on a vertex in equilibrium",
-       positive},
+      {"force_tolerance", &M::force_tolerance, "mean contact force",
+       "largest net force on a vertex in equilibrium", positive},
       {"least_force", &M::least_force, "",
        "net force that is equilibrium whatever touches; 0: from the wanted pressure", not_negative},
-      {"max_evaluations", &M::max_evaluations, "", "force evaluations before a minimisation gives up", at_least_one},
+      {"max_evaluations", &M::max_evaluations, "", "force evaluations before a minimisation gives up",
+       at_least_one},
   };
   return f;
 }
@@ -110,16 +144,21 @@ const Fields<Jamming>& fields() {
        {0, 0.8, true, false},
        {},
        Role::sample},
-      {"step", &J::step, "",
-       "largest relative step of the packing fraction where particles push each other; up to 0.02 while none does "
+      {"step",
+       &J::step,
+       "",
+       "largest relative step of the packing fraction where particles push each other; up to 0.02 while none "
+       "does "
        "(chapter: never)",
        {0, 0.1, true, false}},
-      {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles", positive},
+      {"pressure", &J::pressure, "k_a a0", "P_t of the jammed packing; k_c for discs and rigid particles",
+       positive},
       {"window", &J::window, "", "done when 1 < P/P_t < 1 + window", positive},
       {"search",
        &J::search,
        "",
-       "the chapter's halving of steps, a root search that ends in the same window, or minima of the enthalpy, faster "
+       "the chapter's halving of steps, a root search that ends in the same window, or minima of the "
+       "enthalpy, faster "
        "where contacts are hard (a packing that is given goes on by the root search)",
        any_value,
        {"root", "chapter", "pressure"}},
@@ -137,8 +176,8 @@ template <>
 const Fields<Compression>& fields() {
   using C = Compression;
   static const Fields<C> f{
-      {"highest_pressure", &C::highest_pressure, "k_a a0", "last pressure of the list that starts at jamming.pressure",
-       positive},
+      {"highest_pressure", &C::highest_pressure, "k_a a0",
+       "last pressure of the list that starts at jamming.pressure", positive},
       {"per_decade", &C::per_decade, "", "pressures per decade, spaced logarithmically", at_least_one},
       {"decompress", &C::decompress, "", "also go back through the list"},
   };
@@ -158,13 +197,21 @@ const Fields<Uniaxial>& fields() {
        {0, 0.95, true, false},
        {},
        Role::sample},
-      {"pressure", &U::pressure, "k_a a0",
-       "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and rigid "
+      {"pressure",
+       &U::pressure,
+       "k_a a0",
+       "to which all walls squeeze the particles before the compression; 0: they do not. k_c for discs and "
+       "rigid "
        "particles",
        not_negative,
        {},
        Role::sample},
-      {"aspect_ratio", &U::aspect_ratio, "", "height over width of the box before the compression", positive, {},
+      {"aspect_ratio",
+       &U::aspect_ratio,
+       "",
+       "height over width of the box before the compression",
+       positive,
+       {},
        Role::sample},
   };
   return f;
@@ -176,12 +223,13 @@ const Fields<Slump>& fields() {
   static const Fields<S> f{
       {"gravity", &S::gravity, "", "acceleration downward; a vertex has mass 1", positive, {}, Role::law},
       {"width", &S::width, "mean particle diameter", "of the box in which the heap settles", at_least_one},
-      {"drop_spacing", &S::drop_spacing, "largest particle diameter", "between the particles before they fall",
-       at_least_one},
+      {"drop_spacing", &S::drop_spacing, "largest particle diameter",
+       "between the particles before they fall", at_least_one},
       {"settle_time", &S::settle_time, "sqrt(1/gravity)",
        "before the right wall is taken away, at most: less if all comes to rest", positive},
       {"spread_time", &S::spread_time, "sqrt(1/gravity)", "after it, at most", positive},
-      {"rest", &S::rest, "", "kinetic energy of a heap at rest, over that of a fall of all by one diameter", positive},
+      {"rest", &S::rest, "", "kinetic energy of a heap at rest, over that of a fall of all by one diameter",
+       positive},
   };
   return f;
 }
@@ -190,9 +238,15 @@ template <>
 const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
-      {"damping", &M::damping, "1/time", "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
-       not_negative, {}, Role::law},
-      {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start", not_negative},
+      {"damping",
+       &M::damping,
+       "1/time",
+       "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
+       not_negative,
+       {},
+       Role::law},
+      {"kinetic_energy", &M::kinetic_energy, "", "mean kinetic energy of a vertex at the start",
+       not_negative},
   };
   return f;
 }
@@ -206,14 +260,16 @@ void resolve_family(Case& c) {
   };
   if (b.family == "floppy") {
     unless_given("k_b", b.k_b, 0);
-    if (b.shape_parameter == 0 && b.shape_ratio == 0) unless_given("A0", b.shape_parameter, floppy_shape_parameter(b.vertices));
+    if (b.shape_parameter == 0 && b.shape_ratio == 0)
+      unless_given("A0", b.shape_parameter, floppy_shape_parameter(b.vertices));
   }
   if (b.family == "droplet") {
     unless_given("k_b", b.k_b, 0);
     unless_given("k_l", b.k_l, 0.1);
     unless_given("gamma", b.gamma, 0.2);
   }
-  if (c.general.experiment == "slump" && !c.is_given("motion.damping")) c.motion.damping = std::sqrt(c.slump.gravity);
+  if (c.general.experiment == "slump" && !c.is_given("motion.damping"))
+    c.motion.damping = std::sqrt(c.slump.gravity);
 }
 
 }  // namespace supple

@@ -7,8 +7,8 @@
 #include "supple/core/duration.hpp"
 #include "supple/core/error.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
-#include "supple/experiment/cost.hpp"
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/cost.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/used_keys.hpp"
 #include "supple/model/discs.hpp"
@@ -90,9 +90,11 @@ void check_cost(const Case& c, Problems& problems) {
   const BodySizes sizes(c.bodies);
   if (sizes.sites() <= most_sites) return;
   const double sites = static_cast<double>(sizes.sites());
-  add(problems, c, fmt::format("{} particles of {} vertices are {:.3g} vertices", sizes.bodies(), c.bodies.vertices, sites),
-      fmt::format("a run can have {:g}; these would need about {:.3g} GB of memory, and to jam them {}", 1.0 * most_sites,
-                  sites * bytes_per_site * 1e-9, describe_seconds(seconds_to_jam(sites))),
+  add(problems, c,
+      fmt::format("{} particles of {} vertices are {:.3g} vertices", sizes.bodies(), c.bodies.vertices,
+                  sites),
+      fmt::format("a run can have {:g}; these would need about {:.3g} GB of memory, and to jam them {}",
+                  1.0 * most_sites, sites * bytes_per_site * 1e-9, describe_seconds(seconds_to_jam(sites))),
       "lower bodies.N or bodies.vertices");
 }
 
@@ -107,20 +109,23 @@ void check_bodies(const Case& c, Problems& problems) {
         fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least),
         "raise A0, or 0 for the regular polygon");
   if (c.is_given("bodies.A0") && b.shape_ratio > 0)
-    add(problems, c, "bodies.A0 and bodies.A0_ratio", "the second is the first over that of the regular polygon",
-        "leave one away");
-  for (const auto& [key, ratio] : {std::pair{"A0_ratio", b.shape_ratio}, {"A0_ratio_large", b.shape_ratio_large}})
+    add(problems, c, "bodies.A0 and bodies.A0_ratio",
+        "the second is the first over that of the regular polygon", "leave one away");
+  for (const auto& [key, ratio] :
+       {std::pair{"A0_ratio", b.shape_ratio}, {"A0_ratio_large", b.shape_ratio_large}})
     if (polygons && ratio > 0 && ratio < 1)
-      add(problems, c, fmt::format("bodies.{} = {}", key, ratio), "no polygon is rounder than the regular one",
-          "give 1 or more, or 0 for the default");
+      add(problems, c, fmt::format("bodies.{} = {}", key, ratio),
+          "no polygon is rounder than the regular one", "give 1 or more, or 0 for the default");
   if (!c.initial.state.empty() && !c.initial.packing.empty())
     add(problems, c, "initial.state and initial.packing", "a run starts from one of them", "leave one away");
   if (c.is_given("physics") && c.general.physics != "deformable")
-    add(problems, c, fmt::format("physics = \"{}\" with experiment = \"{}\"", c.general.physics, c.general.experiment),
+    add(problems, c,
+        fmt::format("physics = \"{}\" with experiment = \"{}\"", c.general.physics, c.general.experiment),
         "it is about deformable particles", "leave physics away");
   if (b.family == "rough_disc" && c.contact.kind == "smooth")
     add(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
-        "a rough disc is a ring of vertices", "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
+        "a rough disc is a ring of vertices",
+        "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
   if (c.general.experiment == "compression" && c.compression.highest_pressure <= c.jamming.pressure)
     add(problems, c,
         fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}",
@@ -138,13 +143,16 @@ std::vector<std::string> find_body_doubts(const Case& c) {
     doubts.push_back(fmt::format(
         "bodies.diameter_ratio = {}: edges are {:.3g} times as long as vertices are wide{}", b.diameter_ratio,
         1 / b.diameter_ratio,
-        b.diameter_ratio > 0.5 ? "; from 2 on, stretched edges among them, vertices of others pass between two vertices"
-                               : ", so that vertices of other particles pass between two vertices"));
+        b.diameter_ratio > 0.5
+            ? "; from 2 on, stretched edges among them, vertices of others pass between two vertices"
+            : ", so that vertices of other particles pass between two vertices"));
   if (soft && b.gamma > 0 && b.k_l < 0.1 * b.gamma)
-    doubts.push_back(fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
-                                 "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
-                                 b.gamma, b.k_l));
-  if (c.general.experiment == "slump" && c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
+    doubts.push_back(
+        fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
+                    "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
+                    b.gamma, b.k_l));
+  if (c.general.experiment == "slump" && c.motion.damping == 0)
+    doubts.push_back("motion.damping = 0: nothing ever settles");
   return doubts;
 }
 
@@ -184,8 +192,10 @@ std::vector<std::string> find_doubts(const Case& c) {
         fmt::format("shear.periods = {}: the first period is transient and there is no second to demodulate",
                     c.shear.periods));
   else if (shear && !published && c.shear.periods < 4)
-    doubts.push_back(fmt::format("shear.periods = {}: no error of G' and G'', as the cycles after the first are fewer "
-                                 "than three", c.shear.periods));
+    doubts.push_back(
+        fmt::format("shear.periods = {}: no error of G' and G'', as the cycles after the first are fewer "
+                    "than three",
+                    c.shear.periods));
   return doubts;
 }
 

@@ -19,10 +19,12 @@ namespace {
 std::vector<double> pressure_list(const Case& c) {
   const double low = c.jamming.pressure, high = c.compression.highest_pressure;
   if (!(high > low))
-    throw input_error(fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low),
-                      "", "compression goes from the one to the other");
-  const int steps = std::max(1, whole_number<int>(c.compression.per_decade * std::log10(high / low),
-                                                  "pressures of the list", "lower compression.per_decade", 1e5));
+    throw input_error(
+        fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}", high, low), "",
+        "compression goes from the one to the other");
+  const int steps =
+      std::max(1, whole_number<int>(c.compression.per_decade * std::log10(high / low),
+                                    "pressures of the list", "lower compression.per_decade", 1e5));
   std::vector<double> list;
   for (int k = 0; k <= steps; ++k) list.push_back(low * std::pow(high / low, static_cast<double>(k) / steps));
   return list;
@@ -48,8 +50,8 @@ Snapshot take_snapshot(const Packing& packing, const PackingReport& report) {
   return s;
 }
 
-/// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine strain, in
-/// diameters of a disc of area 1.
+/// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine
+/// strain, in diameters of a disc of area 1.
 NetworkChange compare(const Snapshot& before, const Snapshot& now) {
   NetworkChange change;
   if (before.centre.empty()) return change;
@@ -85,20 +87,22 @@ struct Course {
   std::vector<std::uint8_t> rearranged;
 };
 
-/// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the part of
-/// the branch at the lowest pressures that holds no rearrangement: before and after one it is another packing.
+/// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the
+/// part of the branch at the lowest pressures that holds no rearrangement: before and after one it is another
+/// packing.
 void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest,
                   Recorder& recorder) {
   const auto fit = fit_onset(course.packing_fraction, course.pressure, course.rearranged, highest);
   if (!fit) return;
-  recorder.value(
-      "results",
-      {"onset_" + branch, "", "packing fraction where the pressure vanishes, by the line through the lower decades without rearrangement"},
-      fit->packing_fraction, fit->packing_fraction_error);
-  recorder.value(
-      "results",
-      {"slope_" + branch, packing.pressure_symbol, "slope of the pressure against the packing fraction there"},
-      fit->slope, fit->slope_error);
+  recorder.value("results",
+                 {"onset_" + branch, "",
+                  "packing fraction where the pressure vanishes, by the line through the lower decades "
+                  "without rearrangement"},
+                 fit->packing_fraction, fit->packing_fraction_error);
+  recorder.value("results",
+                 {"slope_" + branch, packing.pressure_symbol,
+                  "slope of the pressure against the packing fraction there"},
+                 fit->slope, fit->slope_error);
 }
 
 }  // namespace
@@ -116,11 +120,13 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   begin_packing(packing, derive_compression(c, initial), recorder);
   std::vector<Column> columns = packing_columns(packing);
   columns.push_back({"branch", "", "1: compression, -1: decompression"});
-  columns.push_back({"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
+  columns.push_back(
+      {"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
   columns.push_back({"new_contacts", "", "pairs of particles that touch and did not at the pressure before"});
   columns.push_back({"displacement", "small diameter",
                      "largest motion of a particle relative to the strain since the pressure before"});
-  columns.push_back({"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"});
+  columns.push_back(
+      {"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"});
   recorder.declare("packing", columns);
   JamSpec spec = jam_spec(c);
   JamProgress last;
@@ -128,8 +134,9 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   Course up, down;
   std::int64_t done = 0, total = 0;
   const auto watch = [&](const JamProgress& p) {
-    recorder.progress(fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
-                      done, total);
+    recorder.progress(
+        fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), done,
+        total);
     return !recorder.stop_requested();
   };
   const auto go_to = [&](double pressure, Branch branch) {
@@ -158,8 +165,8 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     ++done;
   };
   try {
-    // A packing that is already compressed goes on from its pressure: taking it back first would change it. It comes
-    // back to all pressures of the list.
+    // A packing that is already compressed goes on from its pressure: taking it back first would change it.
+    // It comes back to all pressures of the list.
     if (initial) {
       const MinimiseReport report = relax(packing);
       require_converged(packing, report, "the packing to start from");
@@ -167,9 +174,10 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
       const double present = observe(packing).pressure;
       std::erase_if(ascent, [&](double pressure) { return pressure * (1 + c.jamming.window) <= present; });
       if (ascent.empty() && !c.compression.decompress)
-        throw input_error(fmt::format("the state to start from has the pressure {:.4g}", present),
-                          fmt::format("compression.highest_pressure = {} is below", c.compression.highest_pressure),
-                          "raise it, or set compression.decompress = true");
+        throw input_error(
+            fmt::format("the state to start from has the pressure {:.4g}", present),
+            fmt::format("compression.highest_pressure = {} is below", c.compression.highest_pressure),
+            "raise it, or set compression.decompress = true");
     }
     const std::size_t descent = !c.compression.decompress ? 0 : list.size() - !ascent.empty();
     total = static_cast<std::int64_t>(ascent.size() + descent);

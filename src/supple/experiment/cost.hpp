@@ -13,11 +13,13 @@ inline constexpr double bytes_per_site = 2500;
 /// Vertices and discs of a case at most: jamming more takes months.
 inline constexpr std::int64_t most_sites = 1'000'000;
 
-/// Force evaluations of a whole search for the jammed state: 145 to 360 per site, by measurement on 16 discs and 32
-/// and 64 shells.
+/// Force evaluations of a whole search for the jammed state: 145 to 360 per site, by measurement on 16 discs
+/// and 32 and 64 shells.
 inline double evaluations_to_jam(double sites) { return 180.0 * sites; }
 
 /// Wall time of one [s].
-inline double seconds_to_jam(double sites) { return evaluations_to_jam(sites) * sites * seconds_per_site_evaluation; }
+inline double seconds_to_jam(double sites) {
+  return evaluations_to_jam(sites) * sites * seconds_per_site_evaluation;
+}
 
 }  // namespace supple

@@ -5,7 +5,8 @@ namespace supple {
 std::vector<Derived> name_constants(const LawConstants& law, const Units& units) {
   const double spring = units.stiffness(), drag = units.viscosity();
   return {
-      {{"mean_mass", "kg/m", "mass of a disc that defines tau, per metre of depth"}, law.mean_mass * units.mass},
+      {{"mean_mass", "kg/m", "mass of a disc that defines tau, per metre of depth"},
+       law.mean_mass * units.mass},
       {{"time_constant", "s", "tau = sqrt(m/k)"}, law.tau * units.time},
       {{"friction", "", "Coulomb coefficient mu"}, law.friction},
       {{"spring_constant", "N/m^2", "k of contacts, (pi/8) E (S1-8), per metre of depth"}, law.k * spring},

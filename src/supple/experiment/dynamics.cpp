@@ -19,7 +19,7 @@ namespace {
 std::int64_t step_count(const Case& c, const InitialState* initial) {
   if (c.time.steps > 0 || c.is_given("time.steps")) return c.time.steps;
   if (initial)
-    if (const auto at = initial->protocol.find("steps"); at != initial->protocol.end()) 
+    if (const auto at = initial->protocol.find("steps"); at != initial->protocol.end())
       return whole_number(at->second, "steps of the state to start from", "give time.steps");
   throw input_error("[time] steps is missing", "dynamics needs the number of steps", "set time.steps");
 }
@@ -29,8 +29,9 @@ double damping_per_step(const Case& c, const InitialState* initial, double time_
   if (initial && !c.is_given("shear.cool_factor"))
     if (const auto at = initial->protocol.find("cool_factor"); at != initial->protocol.end()) {
       const auto dt = initial->protocol.find("dt");
-      return dt == initial->protocol.end() ? at->second
-                                           : std::pow(at->second, time_step / (dt->second * initial->units.time));
+      return dt == initial->protocol.end()
+                 ? at->second
+                 : std::pow(at->second, time_step / (dt->second * initial->units.time));
     }
   return of_case;
 }
@@ -52,7 +53,8 @@ std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial)
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
-  const double dt = is_package(c) ? derive_particleshear(c, initial).dt : derive_constants(c, initial).time_step;
+  const double dt =
+      is_package(c) ? derive_particleshear(c, initial).dt : derive_constants(c, initial).time_step;
   all.push_back({{"time_step", "s", "time step"}, dt});
   const auto steps = static_cast<double>(step_count(c, initial));
   all.push_back({{"steps", "", "steps"}, steps});

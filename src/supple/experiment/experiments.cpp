@@ -21,14 +21,16 @@ UsedKeys with(UsedKeys common, const UsedKeys& more) {
 
 const std::vector<Experiment>& experiments() {
   // Every experiment draws random numbers, and leaves a run and pictures of its cell.
-  static const UsedKeys every{"experiment", "physics", "seed", "threads", "output.file", "output.images", "output.image_format",
-                       "output.snapshot"};
+  static const UsedKeys every{
+      "experiment",          "physics",        "seed", "threads", "output.file", "output.images",
+      "output.image_format", "output.snapshot"};
   static const UsedKeys discs = with(every, {"material.*", "particles.*", "box.*", "preparation.*"});
-  static const UsedKeys bodies = with(every, {"bodies.*", "-bodies.yield_strain", "-bodies.flow_time", "contact.kind", "contact.k_c",
-                                       "contact.unsound", "initial.state", "initial.packing", "output.plot"});
+  static const UsedKeys bodies =
+      with(every, {"bodies.*", "-bodies.yield_strain", "-bodies.flow_time", "contact.kind", "contact.k_c",
+                   "contact.unsound", "initial.state", "initial.packing", "output.plot"});
   static const UsedKeys minimised = with(bodies, {"minimise.*"});
-  static const UsedKeys moving = with(bodies, {"bodies.*", "contact.*", "time.step", "time.step_factor", "motion.damping",
-                                        "output.frames"});
+  static const UsedKeys moving = with(
+      bodies, {"bodies.*", "contact.*", "time.step", "time.step_factor", "motion.damping", "output.frames"});
   static const std::vector<Experiment> all{
       {"oscillatory_shear",
        "G' and G'' of a suspension of crosslinked particles under oscillatory shear",

@@ -16,10 +16,12 @@ using UsedKeys = std::vector<std::string_view>;
 
 struct Experiment {
   std::string name, meaning;
-  UsedKeys discs, bodies;  ///< keys it uses of microgel discs, and of deformable particles; empty: not about these
+  UsedKeys discs,
+      bodies;  ///< keys it uses of microgel discs, and of deformable particles; empty: not about these
   std::vector<Derived> (*derive)(const Case&, const InitialState*);
   void (*run)(const Case&, const InitialState*, Recorder&);
-  std::string_view next = {};  ///< the experiment that starts from what this one leaves: its keys do no harm here
+  std::string_view next =
+      {};  ///< the experiment that starts from what this one leaves: its keys do no harm here
 };
 
 const std::vector<Experiment>& experiments();
@@ -29,12 +31,13 @@ const Experiment& experiment_of(const Case& c);
 /// The same as check(c) for a case that starts from `initial`, or from what [initial] names.
 void check(const Case& c, const InitialState* initial);
 
-/// Derived numbers (time step, spring constant, frequency, steps, ...) of the case's experiment; `initial` is the state
-/// that [initial] names, or null. Throws the input errors that run() would throw before its first step.
+/// Derived numbers (time step, spring constant, frequency, steps, ...) of the case's experiment; `initial` is
+/// the state that [initial] names, or null. Throws the input errors that run() would throw before its first
+/// step.
 std::vector<Derived> derive(const Case& c, const InitialState* initial);
 
-/// Runs the case's experiment. Throws input errors before anything is computed; numerics errors and `interrupted` after
-/// the recorder was given the state.
+/// Runs the case's experiment. Throws input errors before anything is computed; numerics errors and
+/// `interrupted` after the recorder was given the state.
 void run(const Case& c, const InitialState* initial, Recorder& recorder);
 
 std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial);

@@ -40,7 +40,8 @@ void adopt_stiffness(Case& c, const ShapeStiffness& k, const Preferred& p) {
 void adopt_stiffness(Case& c, const System<2>& system) {
   const auto& all = system.shape.stiffness;
   const auto soft = std::find_if(all.begin(), all.end(), is_soft);
-  if (soft != all.end()) adopt_stiffness(c, *soft, preferred(system, static_cast<std::size_t>(soft - all.begin())));
+  if (soft != all.end())
+    adopt_stiffness(c, *soft, preferred(system, static_cast<std::size_t>(soft - all.begin())));
 }
 
 void give_stiffness(const Case& c, System<2>& system) {
@@ -50,7 +51,8 @@ void give_stiffness(const Case& c, System<2>& system) {
     ShapeStiffness& k = system.shape.stiffness[body];
     if (!is_soft(k)) continue;
     const Preferred p = preferred(system, body);
-    const ShapeStiffness given = absolute_stiffness({b.k_a, b.k_l, b.k_b, b.gamma, kind}, p.area, p.length, p.edges);
+    const ShapeStiffness given =
+        absolute_stiffness({b.k_a, b.k_l, b.k_b, b.gamma, kind}, p.area, p.length, p.edges);
     if (c.is_given("bodies.k_a")) k.volume = given.volume;
     if (c.is_given("bodies.k_l")) k.facet = given.facet;
     if (c.is_given("bodies.k_b")) k.hinge = given.hinge;

@@ -23,8 +23,8 @@ double surface_slope(const System<2>& s, double front) {
   const int columns = static_cast<int>(wide < most ? std::max(2.0, wide) : most);
   std::vector<double> top(static_cast<std::size_t>(columns));
   for (int i = 0; i < s.state.size(); ++i) {
-    const auto k =
-        static_cast<std::size_t>(std::fmin(std::fmax(s.state.position[i][flow] / front * columns, 0), columns - 1));
+    const auto k = static_cast<std::size_t>(
+        std::fmin(std::fmax(s.state.position[i][flow] / front * columns, 0), columns - 1));
     top[k] = std::max(top[k], s.state.position[i][gradient] + s.state.radius[i]);
   }
   double x = 0, y = 0, xx = 0, xy = 0;

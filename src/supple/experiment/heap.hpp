@@ -15,17 +15,17 @@ struct Heap {
   double front = 0, top = 0;  ///< rightmost and highest end of a particle [length]
   double spread =
       0;  ///< twice the mean distance of the mass from the left wall: the width of a heap that is flat
-  double slope = 0;   ///< of the line through the surface, downward to the right
-  WallForces walls;   ///< [weight of all particles]
-  double motion = 0;  ///< kinetic energy over that of a fall of all particles by their mean diameter
+  double slope = 0;      ///< of the line through the surface, downward to the right
+  WallForces walls;      ///< [weight of all particles]
+  double motion = 0;     ///< kinetic energy over that of a fall of all particles by their mean diameter
   double imbalance = 0;  ///< largest net force on a particle over its weight
 };
 
 /// The instant of `evaluation`. Needs gravity.
 Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
 
-/// Whether it lies still: less `motion` than that, and the forces on every particle in balance to 1 % of its weight.
-/// At the top of a bounce nothing moves, but nothing bears the weight either.
+/// Whether it lies still: less `motion` than that, and the forces on every particle in balance to 1 % of its
+/// weight. At the top of a bounce nothing moves, but nothing bears the weight either.
 bool is_at_rest(const Heap& heap, double motion);
 
 /// Its table.

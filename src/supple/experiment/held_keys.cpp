@@ -32,7 +32,8 @@ void assign(const Field& field, Section& section, const KeyValue& value) {
         using Value = std::decay_t<decltype(section.*member)>;
         std::visit(
             [&](const auto& v) {
-              if constexpr (std::is_convertible_v<decltype(v), Value>) section.*member = static_cast<Value>(v);
+              if constexpr (std::is_convertible_v<decltype(v), Value>)
+                section.*member = static_cast<Value>(v);
             },
             value);
       },
@@ -59,7 +60,8 @@ std::string shown(const KeyValue& value) {
   return std::visit(
       [](const auto& v) {
         if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>) return fmt::format("\"{}\"", v);
-        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return fmt::format("{:.10g}", v);
+        else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>)
+          return fmt::format("{:.10g}", v);
         else return fmt::format("{}", v);
       },
       value);
@@ -92,10 +94,10 @@ HeldKeys given_as_held(const Case& c) {
   for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
     if (!c.is_given(key)) return;
     if (!is_held(field.role))
-      throw input_error(fmt::format("{} is no key that a state holds", key),
-                        field.role == Role::number ? "the state has it as numbers of its own"
-                                                   : "it says how a run goes",
-                        "give it in the case");
+      throw input_error(
+          fmt::format("{} is no key that a state holds", key),
+          field.role == Role::number ? "the state has it as numbers of its own" : "it says how a run goes",
+          "give it in the case");
     keys[key] = value_of(field, section);
   });
   return keys;
@@ -117,12 +119,12 @@ void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std:
     const KeyValue given = value_of(field, section);
     const auto confirms = [&](const std::optional<KeyValue>& value) { return value && same(given, *value); };
     if (field.role == Role::law || confirms(by_name) || confirms(of_system)) return;
-    const std::string why =
-        by_name || of_system
-            ? fmt::format("it is {} in {}, whose particles are taken as they are",
-                          shown(by_name ? *by_name : *of_system), file)
-            : fmt::format("the particles are taken from {} as they are", file);
-    problems.push_back(input_error(fmt::format("{} = {}", key, shown(given)), why, "leave the key away").what());
+    const std::string why = by_name || of_system
+                                ? fmt::format("it is {} in {}, whose particles are taken as they are",
+                                              shown(by_name ? *by_name : *of_system), file)
+                                : fmt::format("the particles are taken from {} as they are", file);
+    problems.push_back(
+        input_error(fmt::format("{} = {}", key, shown(given)), why, "leave the key away").what());
   });
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
 }

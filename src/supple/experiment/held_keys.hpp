@@ -22,9 +22,10 @@ HeldKeys laws_of(const HeldKeys& keys);
 /// The keys that the user gave. Input error that names a key which no state holds.
 HeldKeys given_as_held(const Case& c);
 
-/// Keys that the user did not give get the value of the state. Of those that were given a law wins over the state;
-/// a key about the sample has to be that of the state, as its particles are there already: `known` holds what is known
-/// of them besides, and one input error has a line for each that differs or that the state cannot confirm.
+/// Keys that the user did not give get the value of the state. Of those that were given a law wins over the
+/// state; a key about the sample has to be that of the state, as its particles are there already: `known`
+/// holds what is known of them besides, and one input error has a line for each that differs or that the
+/// state cannot confirm.
 void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std::string& file);
 
 /// As it stands in a case.

@@ -13,10 +13,12 @@
 
 namespace supple {
 
-/// Constants of the contact law, in the units of the state that they come with; unset: not in the file, so the case
-/// says. A run records them in the group `material_group`, so that its continuation has the same bits.
+/// Constants of the contact law, in the units of the state that they come with; unset: not in the file, so
+/// the case says. A run records them in the group `material_group`, so that its continuation has the same
+/// bits.
 struct MaterialConstants {
-  std::optional<double> k, nu, k_t, nu_t;  ///< springs and viscosities of free contacts, central and tangential
+  std::optional<double> k, nu, k_t,
+      nu_t;  ///< springs and viscosities of free contacts, central and tangential
   std::optional<double> mu, central_repulsion_coefficient;
   std::optional<double> permanent_ratio_central, permanent_ratio_tangential;  ///< link over contact stiffness
   std::optional<bool> keep_viscosity_coefficients_constant;
@@ -68,12 +70,12 @@ struct InitialState {
   std::optional<Evaluation<2>> evaluation;  ///< forces and torques carried over; no pair forces
   MaterialConstants material;
   std::optional<Harmonic> contact;  ///< law of deformable particles' contacts, where the file has it
-  HeldKeys keys;            ///< laws and sample by name, where the file has them
-  Environment environment;  ///< of deformable particles
+  HeldKeys keys;                    ///< laws and sample by name, where the file has them
+  Environment environment;          ///< of deformable particles
   /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre,
   /// periods, post, removed_stress [Pa] (see JumpCorrection), account_numbers() [J/m] (see EnergyTable).
   std::map<std::string, double> protocol;
-  bool reset_force_each_step = true;   ///< false: forces on discs that do not move pile up, as in the package
+  bool reset_force_each_step = true;  ///< false: forces on discs that do not move pile up, as in the package
 };
 
 }  // namespace supple

@@ -17,10 +17,11 @@ void require_room(const Packing& packing) {
   const BodyContacts* contacts = packing.field->bodies();
   const std::vector<double> reach = reach_of_sites(s, contacts ? contacts->meeting() : Meeting::sites);
   if (const auto period = short_period(s.box, least_period(s, reach)))
-    throw input_error(fmt::format("the cell of {} particles has shrunk to {:.4g}",
-                                  s.topology.body_count(s.state.size()), period->length),
-                      fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", period->least),
-                      "raise bodies.N");
+    throw input_error(
+        fmt::format("the cell of {} particles has shrunk to {:.4g}", s.topology.body_count(s.state.size()),
+                    period->length),
+        fmt::format("below {:.4g} a particle meets itself or a neighbour on two sides", period->least),
+        "raise bodies.N");
 }
 
 double reached_fraction(const Packing& packing, const JamProgress& progress) {
@@ -111,7 +112,8 @@ class Search {
     if (!progress_.last.converged && in_window(spec_, progress_.state.pressure)) below = minimise_exactly();
     ++progress_.minimisations;
     if (progress_.last.ending == Ending::exhausted)
-      require_converged(packing_, progress_.last, fmt::format("the state at P = {:.3g}", progress_.state.pressure));
+      require_converged(packing_, progress_.last,
+                        fmt::format("the state at P = {:.3g}", progress_.state.pressure));
     progress_.unconverged += progress_.last.ending == Ending::stalled;
     Point point{packing_.system, density, below ? 0 : progress_.state.pressure, look_at(packing_)};
     remember(packing_, progress_.last, point.soundness);
@@ -135,8 +137,8 @@ class Search {
     return false;
   }
 
-  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so little energy
-  /// is left that the pressure is below, whatever the rest of the way would do.
+  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so
+  /// little energy is left that the pressure is below, whatever the rest of the way would do.
   bool minimise_coarsely() {
     const ForceTolerance exact = packing_.tolerance;
     packing_.tolerance.relative = std::max(exact.relative, spec_.coarse);
@@ -172,8 +174,8 @@ class Search {
     return progress_;
   }
 
-  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays jammed on
-  /// the way down to densities at which it had not yet on the way up.
+  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays
+  /// jammed on the way down to densities at which it had not yet on the way up.
   enum class From { below, above };
 
   /// Already above: goes down by growing steps until below, then searches between, from the state above.
@@ -188,8 +190,9 @@ class Search {
     }
   }
 
-  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the weight of an
-  /// end that stays halved [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
+  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the
+  /// weight of an end that stays halved [Dowell & Jarratt 1971], or bisection where the lower pressure says
+  /// nothing (unjammed).
   JamProgress find_root(Point low, Point high, From from) {
     const double target = spec_.pressure * (1 + 0.5 * spec_.window);
     double low_weight = 1, high_weight = 1;
@@ -197,8 +200,10 @@ class Search {
       const double width = high.density - low.density;
       // The pressure jumps here: the packing rearranges. Come back from the other side.
       if (width < smallest) return turn_back(low, high, from);
-      const double below = low_weight * (low.pressure - target), above = high_weight * (high.pressure - target);
-      double share = low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
+      const double below = low_weight * (low.pressure - target),
+                   above = high_weight * (high.pressure - target);
+      double share =
+          low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
       share = std::clamp(share, 0.02, 0.98);
       const Point& start = from == From::below ? low : high;
       const Point next = minimised(start.system, low.density + share * width, start.density);
@@ -226,8 +231,8 @@ class Search {
   }
   static constexpr int most_turns = 6;
 
-  /// Where the line through the last two states above meets the target, as a share of the interval; its middle before
-  /// there are two.
+  /// Where the line through the last two states above meets the target, as a share of the interval; its
+  /// middle before there are two.
   double guess_from_above(const Point& low, const Point& high) const {
     if (!(slope_ > 0)) return 0.5;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
@@ -239,9 +244,10 @@ class Search {
     packing_.system = low.system;
     return numerics_error(
         fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
-        fmt::format("between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
-                    "there, or its minimisations stop too early",
-                    low.pressure, high.pressure, high.density - low.density),
+        fmt::format(
+            "between P = {:.6g} and {:.6g} the packing fraction differs by {:.1e} of itself: it rearranges "
+            "there, or its minimisations stop too early",
+            low.pressure, high.pressure, high.density - low.density),
         progress_.unconverged > 0 ? "raise minimise.max_evaluations, or take another seed"
                                   : "widen jamming.window, or take another seed");
   }

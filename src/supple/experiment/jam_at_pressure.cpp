@@ -60,8 +60,8 @@ class Press {
  private:
   static constexpr int most_rounds = 20;
   static constexpr double longest_stride = 0.02;
-  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that vertices
-  /// pass each other.
+  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that
+  /// vertices pass each other.
   static constexpr double most_yield = 0.01;
 
   /// Through the stages, where contacts are harder than the shapes.
@@ -152,15 +152,17 @@ class Press {
       CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false},
                               ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
-      // Numbers are those of the cell at the start, and the pressure that of all forces: begin anew where either has
-      // changed.
+      // Numbers are those of the cell at the start, and the pressure that of all forces: begin anew where
+      // either has changed.
       const auto watch = [&](const MinimiseReport&) {
         if (k < 2) learn_ratio(ratio * wanted);
-        return std::abs(ratio_ - ratio) < 0.3 * ratio && std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
+        return std::abs(ratio_ - ratio) < 0.3 * ratio &&
+               std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
       };
       const MinimiseReport report = minimise(objective, x, packing_.minimise, watch);
       require_going_on(packing_, report);
-      if (report.ending == Ending::exhausted) require_converged(packing_, report, "the cell at constant pressure");
+      if (report.ending == Ending::exhausted)
+        require_converged(packing_, report, "the cell at constant pressure");
       require_room(packing_);
       learn_ratio(ratio * wanted);
       count(report, false);
@@ -168,13 +170,14 @@ class Press {
     }
   }
 
-  /// The minimiser knows the pressure of all forces: how much of it contacts bear is learnt on the way, where it is
-  /// about what it shall be.
+  /// The minimiser knows the pressure of all forces: how much of it contacts bear is learnt on the way, where
+  /// it is about what it shall be.
   void learn_ratio(double pressure) {
     if (!packing_.contact_pressure) return;
     const PackingState s = observe(packing_);
     const bool balanced = std::abs(s.full_pressure - pressure) < 0.1 * pressure;
-    if (balanced && s.contact_pressure > 0) ratio_ = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
+    if (balanced && s.contact_pressure > 0)
+      ratio_ = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
   }
 
   void count(const MinimiseReport& report, bool settled) {
@@ -196,7 +199,8 @@ class Press {
 
 }  // namespace
 
-bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback, JamProgress& progress) {
+bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback,
+                     JamProgress& progress) {
   return Press(packing, spec, callback, progress).run();
 }
 

@@ -14,9 +14,15 @@ struct Base {
 };
 
 Base of_case(const Material& m, double k, double mass) {
-  const double eta = m.relative_viscosity * std::sqrt(mass * k), transversal = m.relative_transversal_link_strength;
-  return {k, k * transversal, eta, eta * transversal, m.interface_reenforcement_central,
-          m.interface_reenforcement_tangential, m.keep_viscosity_coefficients_constant};
+  const double eta = m.relative_viscosity * std::sqrt(mass * k),
+               transversal = m.relative_transversal_link_strength;
+  return {k,
+          k * transversal,
+          eta,
+          eta * transversal,
+          m.interface_reenforcement_central,
+          m.interface_reenforcement_tangential,
+          m.keep_viscosity_coefficients_constant};
 }
 
 /// What a state's numbers say, and the user's keys where given.
@@ -69,7 +75,9 @@ MaterialConstants resolve_material(const Case& c, const MaterialConstants& store
                           "keep_viscosity_coefficients_constant"})
     touched = touched || c.is_given(std::string("material.") + key);
   // As they are: the continuation of a run then has its bits.
-  const auto pass = [&](const auto& number, auto& into) { if (number && !touched) into = number; };
+  const auto pass = [&](const auto& number, auto& into) {
+    if (number && !touched) into = number;
+  };
   pass(stored.k, out.k);
   pass(stored.k_t, out.k_t);
   pass(stored.nu, out.nu);
@@ -89,8 +97,10 @@ MaterialConstants resolve_material(const Case& c, const MaterialConstants& store
 
 MaterialConstants convert(MaterialConstants m, const Units& from, const Units& to) {
   const double stiffness = from.stiffness() / to.stiffness(), viscosity = from.viscosity() / to.viscosity();
-  for (auto* x : {&m.k, &m.k_t}) if (*x) **x *= stiffness;
-  for (auto* x : {&m.nu, &m.nu_t}) if (*x) **x *= viscosity;
+  for (auto* x : {&m.k, &m.k_t})
+    if (*x) **x *= stiffness;
+  for (auto* x : {&m.nu, &m.nu_t})
+    if (*x) **x *= viscosity;
   return m;
 }
 

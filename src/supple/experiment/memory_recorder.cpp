@@ -6,7 +6,8 @@
 namespace supple {
 
 std::vector<double> MemoryRecorder::Table::column(const std::string& name) const {
-  const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+  const auto at =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
   if (at == columns.end()) throw input_error("no column '" + name + "'");
   std::vector<double> out;
   for (const auto& row : rows) out.push_back(row[static_cast<std::size_t>(at - columns.begin())]);

@@ -25,7 +25,8 @@ void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k
   } else {
     const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,
                         c.material.density};
-    for (double r : bimodal_radii(spec, c.box.width * c.box.height, static_cast<std::uint64_t>(c.general.seed)))
+    for (double r :
+         bimodal_radii(spec, c.box.width * c.box.height, static_cast<std::uint64_t>(c.general.seed)))
       mass.push_back(c.material.density * pi * r * r);
   }
   double sum = 0;
@@ -42,7 +43,7 @@ DiscLaw make_law(const Material& m, const MaterialConstants& material) {
   law.link = {law.contact.k * central, law.contact.eta * (keep ? 1 : central), law.contact.k_t * tangential,
               law.contact.eta_t * (keep ? 1 : tangential)};
   law.friction = *material.mu;
-  law.tension = Tensile(m.tensile_law == "exponential" ? Tensile::Kind::exponential
+  law.tension = Tensile(m.tensile_law == "exponential"  ? Tensile::Kind::exponential
                         : m.tensile_law == "saturating" ? Tensile::Kind::saturating
                                                         : Tensile::Kind::linear,
                         m.tensile_range);
@@ -56,8 +57,11 @@ double stiffening(const Repulsion& repulsion) {
   const double h = 1e-4, least = std::holds_alternative<Plateau>(repulsion) ? 0.2 : 0.5;
   double most = 1;
   for (double d = least; d <= 1 - h; d += 0.005)
-    most = std::max(most, std::visit([&](const auto& law) {
-      return (law.force(d - h, 1, 1) - law.force(d + h, 1, 1)) / (2 * h); }, repulsion));
+    most = std::max(most, std::visit(
+                              [&](const auto& law) {
+                                return (law.force(d - h, 1, 1) - law.force(d + h, 1, 1)) / (2 * h);
+                              },
+                              repulsion));
   return most;
 }
 
@@ -69,7 +73,8 @@ double tensile_stiffening(const Tensile& tension, double amplitude) {
 
 }  // namespace
 
-double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass, double amplitude) {
+double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass,
+                        double amplitude) {
   constexpr double contacts = 6;
   const double compressed = stiffening(repulsion);
   double least = std::numeric_limits<double>::infinity();
@@ -90,9 +95,11 @@ Repulsion make_repulsion(const Material& m, double share) {
   if (m.elastic_law == "expression") {
     const auto formula = std::make_shared<Expression>(
         m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"}, "[material] elastic_expression");
-    return Tabulated([=](double d, double d0, double stiffness, double coefficient) {
-      return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
-    }, share, "[material] elastic_expression \"" + m.elastic_expression + "\"");
+    return Tabulated(
+        [=](double d, double d0, double stiffness, double coefficient) {
+          return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
+        },
+        share, "[material] elastic_expression \"" + m.elastic_expression + "\"");
   }
   return Divergent(share);
 }
@@ -117,7 +124,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   k.time_step = step_share * k.stable_step * c.time.step_factor;
   k.relaxation_step = step_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
   if (initial && c.general.experiment == "dynamics")
-    if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) 
+    if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end())
       k.time_step = dt->second * initial->units.time * c.time.step_factor;
   if (c.time.time_step > 0) k.time_step = c.time.time_step;
   if (k.time_step > k.stable_step)
@@ -131,16 +138,19 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
 
 std::vector<Derived> derived_constants(const MicrogelConstants& k) {
   const PairStiffness &contact = k.law.contact, &link = k.law.link;
-  std::vector<Derived> all = name_constants({k.mean_mass, k.tau, k.law.friction, contact.k, contact.k_t, contact.eta,
-                                             contact.eta_t, link.k, link.k_t, link.eta, link.eta_t},
-                                            si_units());
+  std::vector<Derived> all =
+      name_constants({k.mean_mass, k.tau, k.law.friction, contact.k, contact.k_t, contact.eta, contact.eta_t,
+                      link.k, link.k_t, link.eta, link.eta_t},
+                     si_units());
   all.push_back({{"stable_time_step", "s", "stability limit of the time step"}, k.stable_step});
   return all;
 }
 
 Plates plates_of(const Case& c) {
   if (c.box.boundary == "periodic") return Plates::none;
-  return c.box.plates == "repulsive" ? Plates::repulsive : c.box.plates == "none" ? Plates::none : Plates::capture;
+  return c.box.plates == "repulsive" ? Plates::repulsive
+         : c.box.plates == "none"    ? Plates::none
+                                     : Plates::capture;
 }
 
 std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const MicrogelConstants& k) {

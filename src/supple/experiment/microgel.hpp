@@ -15,17 +15,17 @@ namespace supple {
 /// Numbers that follow from a case (physics sections 1 and 7). SI, per metre of depth where that applies.
 struct MicrogelConstants {
   double mean_mass = 0, smallest_mass = 0;
-  double k = 0;          ///< (pi/8) E (S1-8) [N/m per m]
-  double tau = 0;        ///< sqrt(m/k) [s]
-  double frequency = 0;  ///< [Hz]
+  double k = 0;                           ///< (pi/8) E (S1-8) [N/m per m]
+  double tau = 0;                         ///< sqrt(m/k) [s]
+  double frequency = 0;                   ///< [Hz]
   double stable_step = 0, time_step = 0;  ///< [s]
   double relaxation_step = 0;             ///< of the preparation, which knows nothing of the protocol [s]
-  MaterialConstants material;  ///< SI, every one set: what a continuation starts with
+  MaterialConstants material;             ///< SI, every one set: what a continuation starts with
   DiscLaw law;
 };
 
-/// Constants of the case, or of the state that it starts from; keys that the user gave win over the state's numbers.
-/// Throws an input error where the time step that was asked for is above the stability limit.
+/// Constants of the case, or of the state that it starts from; keys that the user gave win over the state's
+/// numbers. Throws an input error where the time step that was asked for is above the stability limit.
 MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
 
 /// What a run records of them.
@@ -34,11 +34,12 @@ std::vector<Derived> derived_constants(const MicrogelConstants& k);
 /// The repulsion law that the case names; c is the central repulsion coefficient.
 Repulsion make_repulsion(const Material& material, double c);
 
-/// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by six
-/// contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened at most s-fold up to 50 % overlap and
-/// up to the stretch of links in an affine shear by `amplitude`, damping ratio z = 6 (eta + 3 eta_t)/(2 m w).
-/// The 3 is 1 of translation and 2 of rotation (r^2/I = 2/m). [O'Sullivan & Bray 2004, with damping]
-double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass, double amplitude);
+/// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by
+/// six contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened at most s-fold up to 50 % overlap and up to the
+/// stretch of links in an affine shear by `amplitude`, damping ratio z = 6 (eta + 3 eta_t)/(2 m w). The 3 is
+/// 1 of translation and 2 of rotation (r^2/I = 2/m). [O'Sullivan & Bray 2004, with damping]
+double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass,
+                        double amplitude);
 
 /// Share of the stability limit that is used: a contact period then has about 20 steps.
 inline constexpr double step_share = 0.15;

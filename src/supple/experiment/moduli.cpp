@@ -13,9 +13,9 @@ namespace supple {
 
 namespace {
 
-constexpr double apart = 0.3;       // of the larger modulus
-constexpr double relevant = 0.05;   // of |G*|: below it a difference is one of noise
-constexpr double told_drift = 0.02; // of |G*|, change over the measured cycles
+constexpr double apart = 0.3;        // of the larger modulus
+constexpr double relevant = 0.05;    // of |G*|: below it a difference is one of noise
+constexpr double told_drift = 0.02;  // of |G*|, change over the measured cycles
 
 double mean(const std::vector<double>& x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -34,8 +34,9 @@ void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why,
     if (difference <= apart * std::max(std::abs(x), std::abs(y)) ||
         difference <= relevant * std::max(a.size(), b.size()))
       return;
-    recorder.warning(fmt::format("{} of the {} ({:.4g} Pa) and the {} stress ({:.4g} Pa) differ by more than {:.0f} %: {}",
-                                 symbol, a.name, x, b.name, y, 100 * apart, why));
+    recorder.warning(
+        fmt::format("{} of the {} ({:.4g} Pa) and the {} stress ({:.4g} Pa) differ by more than {:.0f} %: {}",
+                    symbol, a.name, x, b.name, y, 100 * apart, why));
   };
   compare("G'", a.found.storage.value, b.found.storage.value);
   compare("G''", a.found.loss.value, b.found.loss.value);
@@ -44,9 +45,10 @@ void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why,
 void warn_of_drift(const Estimate& e, Recorder& recorder) {
   const auto tell = [&](const char* symbol, const Modulus& m) {
     if (!m.drifts() || e.found.cycles * std::abs(m.change) < told_drift * e.size()) return;
-    recorder.warning(fmt::format("{} ({} stress) {} by {:.2g} Pa per cycle over the {} cycles measured: the sample ages "
-                                 "and is not in a steady cycle; more shear.periods show where it leads",
-                                 symbol, e.name, m.change > 0 ? "rises" : "falls", std::abs(m.change), e.found.cycles));
+    recorder.warning(
+        fmt::format("{} ({} stress) {} by {:.2g} Pa per cycle over the {} cycles measured: the sample ages "
+                    "and is not in a steady cycle; more shear.periods show where it leads",
+                    symbol, e.name, m.change > 0 ? "rises" : "falls", std::abs(m.change), e.found.cycles));
   };
   tell("G'", e.found.storage);
   tell("G''", e.found.loss);
@@ -64,16 +66,19 @@ Gap gap_of(const System<2>& system, const Units& units) {
   return {system.box.length[gradient] * units.length, mass / system.box.volume() * units.density()};
 }
 
-void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction, const Gap& gap,
-                   Recorder& recorder) {
-  const auto record = [&](const std::string& name, const std::vector<double>& stress, const std::string& meaning) {
+void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
+                   const Gap& gap, Recorder& recorder) {
+  const auto record = [&](const std::string& name, const std::vector<double>& stress,
+                          const std::string& meaning) {
     const Demodulation d = demodulate(table.time(), stress, protocol, correction);
-    const auto value = [&](const char* what, const char* unit, const std::string& says, double v, double error = -1) {
+    const auto value = [&](const char* what, const char* unit, const std::string& says, double v,
+                           double error = -1) {
       recorder.value("results", {std::string(what) + "_" + name, unit, says}, v, error);
     };
     value("storage_modulus", "Pa", "G' from " + meaning, d.storage.value, d.storage.error);
     value("loss_modulus", "Pa", "G'' from " + meaning, d.loss.value, d.loss.error);
-    value("storage_change", "Pa", "change of G' from cycle to cycle", d.storage.change, d.storage.change_error);
+    value("storage_change", "Pa", "change of G' from cycle to cycle", d.storage.change,
+          d.storage.change_error);
     value("loss_change", "Pa", "change of G'' from cycle to cycle", d.loss.change, d.loss.change_error);
     value("in_phase_stress", "Pa", "amplitude in phase with the strain", d.in_phase);
     value("out_of_phase_stress", "Pa", "amplitude in phase with the strain rate", d.out_of_phase);
@@ -83,33 +88,41 @@ void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorr
   };
   const bool plated = !table.plates().empty();
   std::vector<Estimate> first;
-  if (plated) first.push_back(record("plates", table.plates(), "the force of the plates over the width of the cell"));
+  if (plated)
+    first.push_back(record("plates", table.plates(), "the force of the plates over the width of the cell"));
   first.push_back(record("virial", table.virial(), "the virial of all contacts"));
   record("periodic", table.periodic(), "Love-Weber with contacts across x internal");
-  const Estimate internal = record("internal", table.internal(), "the overall stress tensor (S1-24), as published");
+  const Estimate internal =
+      record("internal", table.internal(), "the overall stress tensor (S1-24), as published");
   const Estimate external = record("external", table.external(), "external forces (S1-16), as published");
-  const Estimate corrected =
-      record("external_corrected", table.external_corrected(), "external forces without the jumps of the cut");
-  recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"}, first.front().found.cycles);
+  const Estimate corrected = record("external_corrected", table.external_corrected(),
+                                    "external forces without the jumps of the cut");
+  recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"},
+                 first.front().found.cycles);
   const double waves = gap.wavelengths(first.back().found.storage.value, protocol.frequency);
-  recorder.value("results", {"wavelength_over_gap", "", "shear wave, c/f with c^2 = G'/density (virial), over the gap"},
+  recorder.value("results",
+                 {"wavelength_over_gap", "", "shear wave, c/f with c^2 = G'/density (virial), over the gap"},
                  waves);
-  recorder.value("results", {"mean_normal_stress", "Pa", "mean of (xx + yy)/2 of the overall tensor over the protocol"},
+  recorder.value("results",
+                 {"mean_normal_stress", "Pa", "mean of (xx + yy)/2 of the overall tensor over the protocol"},
                  mean(table.pressure()));
 
   if (plated)
-    warn_if_apart(first[0], first[1], "plates and bulk are not in step, or the sample is too small for its plates",
-                  recorder);
-  warn_if_apart(internal, external, "the frequency is too high for a uniform stress, or too few discs carry it", recorder);
+    warn_if_apart(first[0], first[1],
+                  "plates and bulk are not in step, or the sample is too small for its plates", recorder);
+  warn_if_apart(internal, external,
+                "the frequency is too high for a uniform stress, or too few discs carry it", recorder);
   warn_of_drift(first.front(), recorder);
   if (const double jumps = table.most_removed(); jumps > apart * protocol.amplitude * corrected.size())
-    recorder.warning(fmt::format("external_corrected: jumps of {:.4g} Pa were taken out of a stress of amplitude {:.4g} "
-                                 "Pa; its level is that of the first cut, take virial or plates",
-                                 jumps, protocol.amplitude * corrected.size()));
+    recorder.warning(
+        fmt::format("external_corrected: jumps of {:.4g} Pa were taken out of a stress of amplitude {:.4g} "
+                    "Pa; its level is that of the first cut, take virial or plates",
+                    jumps, protocol.amplitude * corrected.size()));
   if (waves < short_wavelength)
-    recorder.warning(fmt::format("shear waves are {:.2g} gaps long: near or above the resonance of the gap (1) the stress "
-                                 "is not uniform and estimators differ; lower shear.relative_frequency {:.0f}-fold",
-                                 waves, std::ceil(2 * short_wavelength / std::max(waves, 0.01))));
+    recorder.warning(
+        fmt::format("shear waves are {:.2g} gaps long: near or above the resonance of the gap (1) the stress "
+                    "is not uniform and estimators differ; lower shear.relative_frequency {:.0f}-fold",
+                    waves, std::ceil(2 * short_wavelength / std::max(waves, 0.01))));
 }
 
 void record_counts(const System<2>& system, const Evaluation<2>& evaluation, Recorder& recorder) {
@@ -119,7 +132,8 @@ void record_counts(const System<2>& system, const Evaluation<2>& evaluation, Rec
   recorder.value("results", {"contacts", "", "touching or linked pairs at the end"}, counts.total());
   recorder.value("results", {"links", "", "permanent links at the end"}, counts.links);
   recorder.value("results", {"slipping_contacts", "", "contacts that slip at the end"}, counts.slip);
-  recorder.value("results", {"coordination", "", "contacts and links per disc"}, coordination(system, evaluation));
+  recorder.value("results", {"coordination", "", "contacts and links per disc"},
+                 coordination(system, evaluation));
   recorder.value("results", {"plate_discs", "", "discs on the plates at the end"}, plate);
 }
 

@@ -5,8 +5,9 @@
 
 namespace supple {
 
-/// A sheared slab between plates: height [m] and density, mass over area of the cell [kg/m^3]. Its shear waves, of
-/// speed c = sqrt(G'/density), resonate between plates that move against each other at the frequency c/height.
+/// A sheared slab between plates: height [m] and density, mass over area of the cell [kg/m^3]. Its shear
+/// waves, of speed c = sqrt(G'/density), resonate between plates that move against each other at the
+/// frequency c/height.
 struct Gap {
   double height = 0, density = 0;
   double wavelengths(double storage, double frequency) const;  ///< wavelength over height
@@ -16,11 +17,12 @@ Gap gap_of(const System<2>& system, const Units& units);
 /// Below this many heights a wave is taken to be near the resonance: the stress varies from plate to plate.
 inline constexpr double short_wavelength = 1.5;
 
-/// Values in the group "results": storage_modulus_X, loss_modulus_X, ... for X = plates (where there are plates),
-/// virial, periodic, and the published internal, external and external_corrected. Warns where estimators differ, where
-/// cycles drift, where the jump correction is large, and near the resonance of the gap.
-void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction, const Gap& gap,
-                   Recorder& recorder);
+/// Values in the group "results": storage_modulus_X, loss_modulus_X, ... for X = plates (where there are
+/// plates), virial, periodic, and the published internal, external and external_corrected. Warns where
+/// estimators differ, where cycles drift, where the jump correction is large, and near the resonance of the
+/// gap.
+void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
+                   const Gap& gap, Recorder& recorder);
 
 /// Contacts, links and plate discs at the end.
 void record_counts(const System<2>& system, const Evaluation<2>& evaluation, Recorder& recorder);

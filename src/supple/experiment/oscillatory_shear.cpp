@@ -26,7 +26,8 @@ namespace {
 struct ShearProtocol {
   Protocol windows;
   DriftCorrection correction;
-  std::int64_t steps, rows;  ///< one row a step; the documented protocol closes with the instant after the last
+  std::int64_t steps,
+      rows;  ///< one row a step; the documented protocol closes with the instant after the last
   double time_step, damping;
   std::function<ShearRates(std::int64_t step, double time)> rates;
 };
@@ -39,10 +40,12 @@ double protocol_number(const Case& c, const InitialState* initial, const char* k
   return at == initial->protocol.end() ? of_case : at->second;
 }
 
-/// A step shorter than stability needs, where the oscillation is fast: twice what a cycle must have to be demodulated.
+/// A step shorter than stability needs, where the oscillation is fast: twice what a cycle must have to be
+/// demodulated.
 constexpr int least_steps_per_period = 2 * least_samples_of_cycle;
 
-OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
+OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initial,
+                                        const MicrogelConstants& k) {
   OscillatoryProtocol p;
   p.amplitude = protocol_number(c, initial, "amplitude", "amplitude", c.shear.amplitude);
   p.frequency = k.frequency;
@@ -55,11 +58,12 @@ OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initi
   const double per_period =
       std::max(std::ceil(1 / (k.frequency * k.time_step) * (1 - 1e-12)), 1.0 * least_steps_per_period);
   if (!(per_period * (pre + periods + post) < most_counted))
-    throw input_error(fmt::format("the protocol has {:.3g} steps, {:.3g} in a period",
-                                  per_period * (pre + periods + post), per_period),
-                      fmt::format("it can have {:.0g}", most_counted),
-                      fmt::format("raise shear.relative_frequency (to {:.1g} or more)",
-                                  c.shear.relative_frequency * per_period * (pre + periods + post) / most_counted));
+    throw input_error(
+        fmt::format("the protocol has {:.3g} steps, {:.3g} in a period", per_period * (pre + periods + post),
+                    per_period),
+        fmt::format("it can have {:.0g}", most_counted),
+        fmt::format("raise shear.relative_frequency (to {:.1g} or more)",
+                    c.shear.relative_frequency * per_period * (pre + periods + post) / most_counted));
   p.steps_per_period = std::llround(per_period);
   p.pre_steps = std::llround(pre * per_period);
   p.shear_steps = std::llround(periods * per_period);
@@ -81,9 +85,14 @@ ShearProtocol make_protocol(const Case& c, const InitialState* initial) {
             }};
   }
   const OscillatoryProtocol p = documented_protocol(c, initial, derive_constants(c, initial));
-  return {{p.frequency, p.amplitude, p.periods(p.pre_steps), p.periods(p.shear_steps), p.periods(p.post_steps)},
-          DriftCorrection::right, p.steps(), p.steps() + 1, p.time_step(), std::pow(c.shear.cool_factor, p.periods(1)),
-          [p](std::int64_t step, double) { return p.rates(step); }};
+  return {
+      {p.frequency, p.amplitude, p.periods(p.pre_steps), p.periods(p.shear_steps), p.periods(p.post_steps)},
+      DriftCorrection::right,
+      p.steps(),
+      p.steps() + 1,
+      p.time_step(),
+      std::pow(c.shear.cool_factor, p.periods(1)),
+      [p](std::int64_t step, double) { return p.rates(step); }};
 }
 
 /// Of the suspension that is to be made, or of the state.
@@ -92,8 +101,8 @@ Gap expected_gap(const Case& c, const InitialState* initial, const MicrogelConst
   return {c.box.height, c.particles.discs * k.mean_mass / (c.box.width * c.box.height)};
 }
 
-/// Shear modulus of a triangular lattice of links with springs k and k_t, sqrt(3)/4 (k + k_t): scaffolds, whose discs are
-/// in disorder, are softer (0.76 k for 0.87 k with the default laws).
+/// Shear modulus of a triangular lattice of links with springs k and k_t, sqrt(3)/4 (k + k_t): scaffolds,
+/// whose discs are in disorder, are softer (0.76 k for 0.87 k with the default laws).
 double scaffold_modulus(const MicrogelConstants& k) {
   return 0.25 * std::numbers::sqrt3 * (k.law.link.k + k.law.link.k_t);
 }

@@ -91,14 +91,17 @@ void check_tension(const System<2>& s) {
   for (std::size_t b = 0; b < s.shape.stiffness.size(); ++b) {
     const ShapeStiffness& k = s.shape.stiffness[b];
     if (!(k.tension > 0)) continue;
-    const auto begin = static_cast<std::size_t>(t.facet_begin[b]), end = static_cast<std::size_t>(t.facet_begin[b + 1]);
+    const auto begin = static_cast<std::size_t>(t.facet_begin[b]),
+               end = static_cast<std::size_t>(t.facet_begin[b + 1]);
     const double most = collapsing_tension(k, s.shape.rest_volume[b],
                                            std::span(s.shape.rest_facet).subspan(begin, end - begin));
     if (k.tension < most) continue;
     throw input_error(
-        fmt::format("the line tension of particle {} is {:.4g} times what its area and edges bear", b, k.tension / most),
+        fmt::format("the line tension of particle {} is {:.4g} times what its area and edges bear", b,
+                    k.tension / most),
         "it has no equilibrium: it shrinks to a point",
-        fmt::format("lower bodies.gamma below {:.4g} of what it is, or raise bodies.k_a or bodies.k_l", most / k.tension));
+        fmt::format("lower bodies.gamma below {:.4g} of what it is, or raise bodies.k_a or bodies.k_l",
+                    most / k.tension));
   }
 }
 
@@ -187,9 +190,10 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
                       fmt::format("{} needs a box of walls", c.general.experiment),
                       "start from a run between walls, or from [bodies]");
   if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec2{}))
-    throw input_error("the state to start from lies under gravity, or without some of the walls",
-                      fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
-                      "start from a run of it, or from [bodies]");
+    throw input_error(
+        "the state to start from lies under gravity, or without some of the walls",
+        fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
+        "start from a run of it, or from [bodies]");
   Packing p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
   WallLaw walls = wall_law(c);
   walls.floor_friction = 0;  // friction has no energy to minimise
@@ -218,8 +222,8 @@ PackingState observe(Packing& packing) {
   packing.field->bodies()->evaluate(packing.system, Detail::energies, contacts);
   const double scale = 1 / (packing.system.box.volume() * packing.pressure_unit);
   PackingState s;
-  s.packing_fraction =
-      packing.covered_area * (area_of_shapes(packing.system) / packing.shape_area) / packing.system.box.volume();
+  s.packing_fraction = packing.covered_area * (area_of_shapes(packing.system) / packing.shape_area) /
+                       packing.system.box.volume();
   s.stress = scale * all.virial;
   s.full_pressure = 0.5 * (s.stress[0][0] + s.stress[1][1]);
   s.contact_pressure = 0.5 * scale * (contacts.virial[0][0] + contacts.virial[1][1]);

@@ -33,7 +33,7 @@ struct Packing {
   double covered_area = 0;        ///< of all bodies as they were when the packing was made
   double shape_area = 0;          ///< of their polygons and discs then
   OnUnsound on_unsound = OnUnsound::stop;
-  Box<2> cell;                    ///< that it begins in; the system's own, but for particles set apart
+  Box<2> cell;                       ///< that it begins in; the system's own, but for particles set apart
   std::optional<System<2>> relaxed;  ///< the last state in equilibrium that no look refused: remember()
 };
 
@@ -51,7 +51,8 @@ struct Making {
 /// The particles of the case at random positions that do not overlap in a square periodic cell of this
 /// packing fraction, or the packing that the case starts from. Input errors where the case asks for what
 /// cannot be.
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction, const Making& making = {});
+Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction,
+                     const Making& making = {});
 
 /// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there
 /// is room. The packing fraction is that of the area between the walls. A state to start from is taken with
@@ -69,8 +70,8 @@ std::shared_ptr<ForceField> make_body_field(const Case& c);
 /// The walls that the case describes.
 WallLaw wall_law(const Case& c);
 
-/// What a packing is at rest, as far as a search needs it; packing_fraction is near: what the bodies covered at first,
-/// times the change of their polygons' area (covered_fraction is right, and takes longer).
+/// What a packing is at rest, as far as a search needs it; packing_fraction is near: what the bodies covered
+/// at first, times the change of their polygons' area (covered_fraction is right, and takes longer).
 struct PackingState {
   double packing_fraction = 0, pressure = 0, contact_pressure = 0,
          full_pressure = 0;  ///< pressures in pressure_unit
@@ -78,15 +79,15 @@ struct PackingState {
   double energy = 0;
 };
 
-/// Minimises the energy in the present cell. Not to converge is no error: the report says so. Where the user asked to
-/// stop, and where energies are not finite, it goes back to `relaxed` and throws.
+/// Minimises the energy in the present cell. Not to converge is no error: the report says so. Where the user
+/// asked to stop, and where energies are not finite, it goes back to `relaxed` and throws.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
 
 /// Keeps the state as `relaxed` where its minimisation converged and no run would have to stop at it.
 void remember(Packing& packing, const MinimiseReport& report, const Soundness& soundness);
 
-/// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its tolerance;
-/// `where` says of which state.
+/// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its
+/// tolerance; `where` says of which state.
 void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where);
 
 /// Goes back to `relaxed` and throws where a minimisation was interrupted or met numbers that are not finite.

@@ -21,7 +21,8 @@ std::vector<Derived> derived_packing(const Packing& packing);
 /// The same for experiments that minimise, with what they call equilibrium.
 std::vector<Derived> derived_equilibria(const Packing& packing);
 
-/// Begins the run: sizes, bodies, constants. From then on minimisations of the packing heed the recorder's stop requests.
+/// Begins the run: sizes, bodies, constants. From then on minimisations of the packing heed the recorder's
+/// stop requests.
 void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
 
 /// Everything that is said of a packing at one instant.
@@ -53,8 +54,8 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& rep
 /// stress.
 enum class Surroundings { closed, open };
 
-/// The instant of the report: positions, forces, contacts, of each body its stress, shape, contacts; energies and,
-/// closed, stresses of the whole.
+/// The instant of the report: positions, forces, contacts, of each body its stress, shape, contacts; energies
+/// and, closed, stresses of the whole.
 Frame packing_frame(const Packing& packing, const PackingReport& report,
                     Surroundings surroundings = Surroundings::closed);
 

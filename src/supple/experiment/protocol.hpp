@@ -9,8 +9,8 @@
 
 namespace supple {
 
-/// A whole number of steps per period, so that a cycle closes exactly; rests and shear begin and end with a step, so
-/// that their lengths are the asked ones rounded to steps.
+/// A whole number of steps per period, so that a cycle closes exactly; rests and shear begin and end with a
+/// step, so that their lengths are the asked ones rounded to steps.
 struct OscillatoryProtocol {
   double amplitude = 0.2;
   double frequency = 1;  ///< [1/time]
@@ -18,7 +18,9 @@ struct OscillatoryProtocol {
 
   double time_step() const { return 1 / (frequency * static_cast<double>(steps_per_period)); }
   std::int64_t steps() const { return pre_steps + shear_steps + post_steps; }
-  double periods(std::int64_t n) const { return static_cast<double>(n) / static_cast<double>(steps_per_period); }
+  double periods(std::int64_t n) const {
+    return static_cast<double>(n) / static_cast<double>(steps_per_period);
+  }
 
   /// Strain at the beginning of step i, zero before and constant after the shear.
   double strain(std::int64_t i) const {
@@ -34,7 +36,8 @@ struct OscillatoryProtocol {
 
  private:
   double phase(std::int64_t n) const {
-    return 2 * std::numbers::pi * static_cast<double>(n % steps_per_period) / static_cast<double>(steps_per_period);
+    return 2 * std::numbers::pi * static_cast<double>(n % steps_per_period) /
+           static_cast<double>(steps_per_period);
   }
 };
 

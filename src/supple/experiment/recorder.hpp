@@ -17,13 +17,14 @@ struct Column {
   std::string name, unit, meaning;
 };
 
-/// A contact as files and pictures show it: i < j; elongation_back is the package's second elongation (j's own).
+/// A contact as files and pictures show it: i < j; elongation_back is the package's second elongation (j's
+/// own).
 struct ContactRow {
   std::int32_t first, second;
   ContactState state;
   double elongation, elongation_back;
-  double normal_force;      ///< elastic + viscous; positive: pushes apart
-  double tangential_force;  ///< on `first` along t = (-n_y, n_x), n from first to second
+  double normal_force;              ///< elastic + viscous; positive: pushes apart
+  double tangential_force;          ///< on `first` along t = (-n_y, n_x), n from first to second
   double elastic = 0, viscous = 0;  ///< parts of the normal force: of the repulsion or link, of the dashpot
   Vec2 force{};                     ///< on `first`; its opposite acts on `second`
 };
@@ -42,8 +43,8 @@ struct Frame {
   std::vector<double> angle, spin, torque;
   std::vector<Mobility> mobility;
   std::vector<ContactRow> contacts;
-  Vec2 length{};     ///< of the cell at this instant; (0, 0): that of the run
-  BodyNumbers body;        ///< the same names in all frames of a run
+  Vec2 length{};          ///< of the cell at this instant; (0, 0): that of the run
+  BodyNumbers body;       ///< the same names in all frames of a run
   SystemNumbers numbers;  ///< these too
 };
 
@@ -52,12 +53,14 @@ inline bool same_instant(const Frame& a, const Frame& b) {
   return a.step == b.step && a.time == b.time && a.position == b.position;
 }
 
-/// What a run is, written before the first step. Sites keep size and mass, so they stand here and not in frames.
+/// What a run is, written before the first step. Sites keep size and mass, so they stand here and not in
+/// frames.
 struct RunInfo {
   Units units;
   Box<2> box;
   std::vector<double> radius, mass, inertia;
-  std::vector<std::int32_t> particle;    ///< of each site, 0-based: crosslinked particle of a disc, body of a vertex
+  std::vector<std::int32_t>
+      particle;  ///< of each site, 0-based: crosslinked particle of a disc, body of a vertex
   std::vector<std::int32_t> body_begin;  ///< Topology::begin; empty: microgel discs
 };
 
@@ -76,7 +79,8 @@ class Recorder {
   virtual void final_state(const System<2>& system, const Evaluation<2>& evaluation) = 0;
   virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
   virtual void warning(const std::string& text) = 0;
-  /// Whether the user asked to stop (Ctrl-C): the experiment then hands over its state and throws `interrupted`.
+  /// Whether the user asked to stop (Ctrl-C): the experiment then hands over its state and throws
+  /// `interrupted`.
   virtual bool stop_requested() const { return false; }
 };
 
@@ -101,7 +105,9 @@ class MemoryRecorder : public Recorder {
   std::vector<std::string> warnings;
 
   void begin(const RunInfo& i) override { info = i; }
-  void declare(const std::string& table, const std::vector<Column>& columns) override { tables[table] = {columns, {}}; }
+  void declare(const std::string& table, const std::vector<Column>& columns) override {
+    tables[table] = {columns, {}};
+  }
   void append(const std::string& table, std::span<const double> row) override {
     tables[table].rows.emplace_back(row.begin(), row.end());
   }
@@ -111,7 +117,10 @@ class MemoryRecorder : public Recorder {
   void value(const std::string& group, const Column& name, double v, double error) override {
     values[group].push_back({name, v, error});
   }
-  void final_state(const System<2>& s, const Evaluation<2>& e) override { last_system = s; last_evaluation = e; }
+  void final_state(const System<2>& s, const Evaluation<2>& e) override {
+    last_system = s;
+    last_evaluation = e;
+  }
   void progress(const std::string&, std::int64_t, std::int64_t) override {}
   void warning(const std::string& text) override { warnings.push_back(text); }
   /// The value of that name, or an input error that names those that exist.

@@ -34,8 +34,8 @@ void require_going_on(Packing& packing, const MinimiseReport& report) {
   go_back(packing);
   if (report.ending == Ending::interrupted)
     throw Error(ErrorKind::interrupted, "interrupted within a minimisation");
-  throw numerics_error(fmt::format("a minimisation ended after {} evaluations", report.evaluations), report.reason,
-                       "take smaller steps, or another seed");
+  throw numerics_error(fmt::format("a minimisation ended after {} evaluations", report.evaluations),
+                       report.reason, "take smaller steps, or another seed");
 }
 
 void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where) {
@@ -45,8 +45,9 @@ void require_converged(Packing& packing, const MinimiseReport& report, const std
   throw numerics_error(fmt::format("{} is not in equilibrium", where),
                        fmt::format("{}; the largest net force is {:.3g}, the tolerance {:.3g}", report.reason,
                                    report.residual, report.tolerance),
-                       exhausted ? "raise minimise.max_evaluations"
-                                 : "raise minimise.force_tolerance or minimise.least_force, or take another seed");
+                       exhausted
+                           ? "raise minimise.max_evaluations"
+                           : "raise minimise.force_tolerance or minimise.least_force, or take another seed");
 }
 
 double least_energy(Packing& packing, double pressure) {

@@ -29,10 +29,11 @@ class StressSpread {
   int count_ = 0;
 };
 
-/// One window of damped steps; the spread of the virial stress over it [Pa]. `go_on` is called at every fifth step.
+/// One window of damped steps; the spread of the virial stress over it [Pa]. `go_on` is called at every fifth
+/// step.
 template <class GoOn>
-double run_window(System<2>& system, Stepper& stepper, const Units& units, int steps, double dt, double damping,
-                  const GoOn& go_on) {
+double run_window(System<2>& system, Stepper& stepper, const Units& units, int steps, double dt,
+                  double damping, const GoOn& go_on) {
   StressSpread stress;
   for (int i = 0; i < steps; ++i) {
     if (i % 5 == 0) go_on();
@@ -45,10 +46,11 @@ double run_window(System<2>& system, Stepper& stepper, const Units& units, int s
 
 }  // namespace
 
-std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
-                   const std::string& phase, Recorder& recorder) {
+std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, const RelaxationSpec& spec,
+                   bool rough, const std::string& phase, Recorder& recorder) {
   const auto go_on = [&] {
-    if (recorder.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted while preparing (" + phase + ")");
+    if (recorder.stop_requested())
+      throw Error(ErrorKind::interrupted, "interrupted while preparing (" + phase + ")");
   };
   std::int64_t done = 0;
   if (rough) {
@@ -67,8 +69,8 @@ std::int64_t relax(System<2>& system, Stepper& stepper, const Units& units, cons
       return done;
     }
     if (done >= spec.most_steps)
-      throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa", phase,
-                                       spread, done, spec.tolerance),
+      throw numerics_error(fmt::format("{}: stress still varies by {:.3g} Pa after {} steps, above {:.3g} Pa",
+                                       phase, spread, done, spec.tolerance),
                            "the discs do not come to rest",
                            "raise [preparation] max_time or stress_tolerance");
   }

@@ -31,8 +31,8 @@ std::vector<int> drawn_places(int n, std::int64_t seed) {
 /// Particles in rows above the floor of a box of this width. Returns the height of the rows.
 double hang(System<2>& s, double width, double spacing, double widest, std::int64_t seed) {
   const int bodies = s.topology.body_count(s.state.size());
-  const int columns = std::max(1, whole_number<int>(std::floor(width / spacing), "particles in a row of the heap",
-                                                    "lower slump.width"));
+  const int columns = std::max(1, whole_number<int>(std::floor(width / spacing),
+                                                    "particles in a row of the heap", "lower slump.width"));
   const int rows = (bodies - 1) / columns + 1;
   const double across = width / columns;
   const std::vector<int> places = drawn_places(bodies, seed);  // or the large ones would all be on top
@@ -133,9 +133,10 @@ class MovingHeap {
     for (const auto& [name, value] : heap_results(heap_))
       recorder_.value("results", {prefix + name.name, name.unit, name.meaning + when}, value);
     if (!is_at_rest(heap_, case_.slump.rest))
-      recorder_.warning(fmt::format("the heap is not at rest{}: its kinetic energy is {:.1e} of what falling by a "
-                                    "diameter gives, and the largest net force {:.1e} of a particle's weight",
-                                    when, heap_.motion, heap_.imbalance));
+      recorder_.warning(
+          fmt::format("the heap is not at rest{}: its kinetic energy is {:.1e} of what falling by a "
+                      "diameter gives, and the largest net force {:.1e} of a particle's weight",
+                      when, heap_.motion, heap_.imbalance));
   }
 
   /// The state as it is, for a run that ends early.

@@ -19,7 +19,8 @@ bool must_stop(const Packing& packing, const Soundness& soundness);
 /// The numerics error for that.
 Error unsound_error(const Soundness& soundness);
 
-/// Steps of a motion between two looks: a look costs some ten steps, and particles pass each other in hundreds.
+/// Steps of a motion between two looks: a look costs some ten steps, and particles pass each other in
+/// hundreds.
 inline std::int64_t look_interval(std::int64_t steps) { return std::max<std::int64_t>(100, steps / 1000); }
 
 /// The state that was looked at last and found sound, of a packing that changes from one to the next.

@@ -38,11 +38,14 @@ std::vector<Column> columns(bool tensors, bool plates) {
       {"pair_register", "", "elementary internal forces, as the published package counts them"},
       {"external_register", "", "elementary external forces, as the published package counts them"},
   };
-  if (plates) out.push_back({"shear_stress_plates", "Pa", "tau from the force of the plates over the width of the cell"});
+  if (plates)
+    out.push_back(
+        {"shear_stress_plates", "Pa", "tau from the force of the plates over the width of the cell"});
   if (!tensors) return out;
   for (const auto& [name, tensor] : tensor_columns)
     for (const char* component : {"_00", "_01", "_10", "_11"})
-      out.push_back({std::string(name) + component, "Pa", "component of the stress tensor, compression positive"});
+      out.push_back(
+          {std::string(name) + component, "Pa", "component of the stress tensor, compression positive"});
   return out;
 }
 
@@ -75,8 +78,15 @@ void StressTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   const StressTensors s = stress_tensors(system, evaluation, units_.stress());
   const double corrected = jumps_.corrected(system, evaluation, s, units_.stress());
   const double t = system.time * units_.time;
-  row_ = {t, system.box.strain, strain_rate / units_.time, s.shear_external(), s.shear_internal(),
-          corrected, s.shear_periodic(), s.shear_virial(), static_cast<double>(s.pair_register),
+  row_ = {t,
+          system.box.strain,
+          strain_rate / units_.time,
+          s.shear_external(),
+          s.shear_internal(),
+          corrected,
+          s.shear_periodic(),
+          s.shear_virial(),
+          static_cast<double>(s.pair_register),
           static_cast<double>(s.external_register)};
   if (has_plates_) {
     row_.push_back(s.plates);

@@ -12,15 +12,15 @@ namespace supple {
 /// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
 class StressTable {
  public:
-  /// with `tensors`, every component of every tensor, else the shear stresses alone; that of the plates where the
-  /// system has discs on them. The corrected external stress goes on from that of `initial`.
+  /// with `tensors`, every component of every tensor, else the shear stresses alone; that of the plates where
+  /// the system has discs on them. The corrected external stress goes on from that of `initial`.
   StressTable(Recorder& recorder, const Units& units, bool tensors, const System<2>& system,
               const InitialState* initial);
   /// One row; the rate is that of this instant (a leapfrog's box keeps that of the step before).
   void append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate);
 
-  /// Hands over the last state, of the instant after the last row or of the last row itself, and what a continuation
-  /// of this table needs.
+  /// Hands over the last state, of the instant after the last row or of the last row itself, and what a
+  /// continuation of this table needs.
   void finish(const System<2>& system, const Evaluation<2>& evaluation);
 
   const std::vector<double>& time() const { return time_; }
@@ -40,7 +40,8 @@ class StressTable {
   Units units_;
   bool tensors_, has_plates_;
   JumpCorrection jumps_;
-  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, plates_, pressure_;
+  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, plates_,
+      pressure_;
 };
 
 }  // namespace supple

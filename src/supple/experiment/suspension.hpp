@@ -32,8 +32,8 @@ Suspension make_suspension(const Case& c, const InitialState* initial, Recorder&
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder);
 
-/// The instant of `evaluation`, the stepper's last one: velocities, spins and the shear rate are of that instant, too,
-/// where a leapfrog keeps them half a step back.
+/// The instant of `evaluation`, the stepper's last one: velocities, spins and the shear rate are of that
+/// instant, too, where a leapfrog keeps them half a step back.
 Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates);
 
 /// t and the number of steps begin at 0, unless the case goes on with those of its state.

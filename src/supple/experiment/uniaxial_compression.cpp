@@ -47,12 +47,12 @@ std::vector<Column> uniaxial_columns(const Packing& packing) {
   columns.push_back({"wall_force", "", "force of the particles on the upper wall"});
   columns.push_back({"floor_force", "", "force of the particles on the lower wall"});
   columns.push_back({"vertex_contacts", "", "vertices that touch another particle"});
-  columns.push_back({"contact_length", "",
-                     "vertices in contact per pair of particles that touch: 1 or 2 at a point, more on a facet"});
+  columns.push_back(
+      {"contact_length", "",
+       "vertices in contact per pair of particles that touch: 1 or 2 at a point, more on a facet"});
   columns.push_back(
       {"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"});
-  columns.push_back(
-      {"overlap_area", "", "share of the particles' area that lies in another one"});
+  columns.push_back({"overlap_area", "", "share of the particles' area that lies in another one"});
   columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a) of the polygons; 1 without any"});
   return columns;
 }
@@ -65,10 +65,10 @@ std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r,
   const double pairs = static_cast<double>(r.network.pairs.size()),
                sites = static_cast<double>(r.contacts.size());
   const double covered = r.fraction.total * packing.system.box.volume();
-  for (const double x : {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
-                         mean_overlap(packing.system, r.records, packing.field->bodies()->law()),
-                         std::max(0.0, 1 - covered / lone_area(packing)),
-                         mean_shape_parameter(r.shapes).value_or(1)})
+  for (const double x :
+       {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
+        mean_overlap(packing.system, r.records, packing.field->bodies()->law()),
+        std::max(0.0, 1 - covered / lone_area(packing)), mean_shape_parameter(r.shapes).value_or(1)})
     row.push_back(x);
   return row;
 }
@@ -92,7 +92,8 @@ JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
   spec.step = 5e-3;
   return jam(packing, spec, [&](const JamProgress& p) {
     recorder.progress(
-        fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0, 0);
+        fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0,
+        0);
     return !recorder.stop_requested();
   });
 }

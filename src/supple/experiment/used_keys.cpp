@@ -14,8 +14,12 @@ namespace {
 
 /// What a key needs besides an experiment that uses it.
 struct Need {
-  enum class Of { physics, start, value };  ///< of the experiment's physics, of a state to start from, of another key
-  std::string_view keys;                    ///< names with spaces between
+  enum class Of {
+    physics,
+    start,
+    value
+  };                      ///< of the experiment's physics, of a state to start from, of another key
+  std::string_view keys;  ///< names with spaces between
   Of of;
   bool (*met)(const Case&);
   std::string_view needed;
@@ -92,7 +96,8 @@ bool names(std::string_view keys, std::string_view key) {
   return fmt::format(" {} ", keys).find(fmt::format(" {} ", key)) != std::string::npos;
 }
 
-/// Of entries "section.*", "section.key" and, to take one out again, "-section.key", the last that fits decides.
+/// Of entries "section.*", "section.key" and, to take one out again, "-section.key", the last that fits
+/// decides.
 bool declares(const UsedKeys& entries, std::string_view key) {
   const std::string_view section = key.substr(0, key.find('.') == key.npos ? 0 : key.find('.') + 1);
   bool used = false;
@@ -189,7 +194,7 @@ std::vector<std::string> find_useless_keys(const Case& c, Start start) {
     };
     if (!c.is_given(key) || std::visit(is_default, field.member)) return;
     const bool used = uses(c, key);
-    const Need* lacking = !used                   ? unmet(c, key, Need::Of::physics)
+    const Need* lacking = !used                     ? unmet(c, key, Need::Of::physics)
                           : start == Start::nothing ? unmet(c, key, Need::Of::start)
                                                     : nullptr;
     if (used ? !lacking : is_of_next(c, key)) return;
@@ -211,7 +216,8 @@ std::vector<std::string> find_idle_keys(const Case& c) {
   for (const std::string& key : c.given) {
     if (!uses(c, key)) {
       if (is_of_next(c, key))
-        idle.push_back(fmt::format("{} has no effect on {}: it is of the runs that start from it", key, described(c)));
+        idle.push_back(
+            fmt::format("{} has no effect on {}: it is of the runs that start from it", key, described(c)));
     } else if (const Need* need = unmet(c, key, Need::Of::value)) {
       idle.push_back(fmt::format("{} has no effect without {}", key, need->needed));
     }

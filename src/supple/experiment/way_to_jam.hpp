@@ -8,8 +8,9 @@
 namespace supple {
 
 /// A share of the evaluations, roughly, by measurement on 16 to 64 discs and shells: a tenth until particles
-/// meet at a packing fraction of 0.5; half when the pressure is first exceeded, near 0.8, as more and more of them must
-/// get out of each other's way; then as the logarithm of the pressure falls to the one wanted. Never goes back.
+/// meet at a packing fraction of 0.5; half when the pressure is first exceeded, near 0.8, as more and more of
+/// them must get out of each other's way; then as the logarithm of the pressure falls to the one wanted.
+/// Never goes back.
 class WayToJam {
  public:
   explicit WayToJam(double pressure) : pressure_(pressure) {}
@@ -18,7 +19,8 @@ class WayToJam {
     const double phi = p.state.packing_fraction, above = p.state.pressure / pressure_;
     if (above > 1) {
       first_above_ = std::max(first_above_, above);
-      share_ = std::max(share_, 0.5 + 0.5 * std::log(first_above_ / above) / std::log(std::max(first_above_, 10.0)));
+      share_ = std::max(share_,
+                        0.5 + 0.5 * std::log(first_above_ / above) / std::log(std::max(first_above_, 10.0)));
     } else if (first_above_ == 0) {
       const double met = std::clamp((phi - 0.5) / 0.3, 0.0, 1.0);
       share_ = std::max(share_, 0.2 * std::min(phi, 0.5) + 0.4 * met * met);

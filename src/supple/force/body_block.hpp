@@ -27,8 +27,9 @@ class BodyBlock final : public TermBlock<Dim> {
       Jet<double, 1> v(volume(system, b));
       v.slope[0] = 1;
       const Jet<double, 1> energy = Term::energy(v, params_[b]);
-      for_slopes(system, b,
-                 [&](std::int32_t site, const Vec<Dim>& slope) { out.force[site] -= energy.slope[0] * slope; });
+      for_slopes(system, b, [&](std::int32_t site, const Vec<Dim>& slope) {
+        out.force[site] -= energy.slope[0] * slope;
+      });
       if (detail == Detail::forces) return;
       out.energy.terms += energy.value;
       // The volume changes by its trace: dv = v tr(strain).
@@ -100,7 +101,8 @@ class BodyBlock final : public TermBlock<Dim> {
   }
 
   /// E'' (dv/dx) (dv/dx)^T over all pairs of the body's sites.
-  static void add_outer_product(const System<Dim>& system, int b, double stiffness, HessianBlocks<Dim>& blocks) {
+  static void add_outer_product(const System<Dim>& system, int b, double stiffness,
+                                HessianBlocks<Dim>& blocks) {
     const std::int32_t first = system.topology.begin[b], end = system.topology.begin[b + 1];
     std::vector<Vec<Dim>> slope(static_cast<std::size_t>(end - first));
     for_slopes(system, b, [&](std::int32_t site, const Vec<Dim>& s) { slope[site - first] += s; });

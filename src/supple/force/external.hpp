@@ -8,7 +8,8 @@
 
 namespace supple {
 
-/// A spring from a site to a point that does not move: U = (k/2) |x - anchor|^2 [MacKeith 2025, section 9.3.3].
+/// A spring from a site to a point that does not move: U = (k/2) |x - anchor|^2 [MacKeith 2025,
+/// section 9.3.3].
 template <int Dim>
 struct Tether {
   std::int32_t site;
@@ -16,8 +17,8 @@ struct Tether {
   double stiffness;  ///< [energy/length^2]
 };
 
-/// U = -sum m g.x over all sites, and the tethers. Positions are taken as they are: gravity is for directions that are
-/// not periodic.
+/// U = -sum m g.x over all sites, and the tethers. Positions are taken as they are: gravity is for directions
+/// that are not periodic.
 template <int Dim>
 struct ExternalForces {
   Vec<Dim> gravity{};  ///< [length/time^2]

@@ -14,9 +14,9 @@
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external -> Evaluation.
-/// Evaluating changes nothing but the rows of System::pairs; only commit() lets contacts remember. Discs with memory
-/// (the microgel model) have DiscContacts, bodies of many sites a BodyContacts.
+/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external ->
+/// Evaluation. Evaluating changes nothing but the rows of System::pairs; only commit() lets contacts
+/// remember. Discs with memory (the microgel model) have DiscContacts, bodies of many sites a BodyContacts.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
@@ -36,7 +36,8 @@ class ForceField {
     terms_.evaluate(system, detail, out);
     if (bodies_) bodies_->evaluate(system, detail, out);
     else contacts_.evaluate(system, system.lag, detail, out);
-    if (repulsive_plates_) evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
+    if (repulsive_plates_)
+      evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
     if (walls_) evaluate_walls(system, *walls_, detail, out);
     if (!external_.empty()) external_.evaluate(system, detail, out);
     if (detail == Detail::energies) out.virial += rigid_virial(system, out.force);

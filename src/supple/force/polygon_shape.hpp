@@ -5,8 +5,8 @@
 namespace supple {
 
 /// Enclosed area, edge length, corner angle and line tension [MacKeith 2025, eq. 9.1] with the numbers of
-/// System::shape, read at each evaluation so that preferred shapes may flow. The terms of energy/ are the reference
-/// (shape_terms.hpp): equal to rounding.
+/// System::shape, read at each evaluation so that preferred shapes may flow. The terms of energy/ are the
+/// reference (shape_terms.hpp): equal to rounding.
 class PolygonShape final : public TermBlock<2> {
  public:
   std::string_view name() const override { return "polygon_shape"; }

@@ -10,12 +10,13 @@ namespace supple {
 
 namespace {
 
-/// The lower blocks of a ring of n vertices: all in rows, or of each vertex those of itself and of the two before it
-/// round the ring.
+/// The lower blocks of a ring of n vertices: all in rows, or of each vertex those of itself and of the two
+/// before it round the ring.
 class RingBlocks {
  public:
   static constexpr int near = 2,
-                       least_sparse = 2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
+                       least_sparse =
+                           2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
 
   RingBlocks(int first, int n, HessianKind kind, HessianBlocks<2>& blocks)
       : n_(n), sparse_(kind == HessianKind::sparse), begin_(blocks.size()), blocks_(blocks) {
@@ -59,13 +60,13 @@ class RingBlocks {
 };
 
 struct EdgeNumbers {
-  Vec2 e, unit, turn;  ///< vector; over its length; slope of its direction angle, turned_left(e)/l^2
+  Vec2 e, unit, turn;         ///< vector; over its length; slope of its direction angle, turned_left(e)/l^2
   double length, moment = 0;  ///< moment dU/d(theta) at the vertex that it leaves
 };
 
 /// Stretching and tension, and bending by the angles at both ends.
-void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const std::vector<EdgeNumbers>& edges,
-                       RingBlocks& ring) {
+void add_edge_energies(const ShapeStiffness& k, const double* rest_length,
+                       const std::vector<EdgeNumbers>& edges, RingBlocks& ring) {
   const int n = static_cast<int>(edges.size());
   for (int i = 0; i < n; ++i) {
     const EdgeNumbers& edge = edges[i];
@@ -80,7 +81,8 @@ void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const
       // The angle of e turns by turn.de, and turn by J (1 - 2 u u^T) de / l^2.
       m.add_outer(2 * k.hinge, edge.turn, edge.turn);
       const double moment = (edge.moment - after.moment) / (edge.length * edge.length);
-      const double xx = edge.unit[0] * edge.unit[0], xy = edge.unit[0] * edge.unit[1], yy = edge.unit[1] * edge.unit[1];
+      const double xx = edge.unit[0] * edge.unit[0], xy = edge.unit[0] * edge.unit[1],
+                   yy = edge.unit[1] * edge.unit[1];
       m[0][0] += moment * 2 * xy;
       m[0][1] += moment * (2 * yy - 1);
       m[1][0] += moment * (1 - 2 * xx);
@@ -96,7 +98,8 @@ void add_edge_energies(const ShapeStiffness& k, const double* rest_length, const
 }
 
 /// k_a (da/dx)(da/dx)^T + k_a (a - a0) d2a/dx2.
-void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, HessianKind kind, RingBlocks& ring) {
+void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, HessianKind kind,
+                     RingBlocks& ring) {
   const int n = static_cast<int>(edges.size());
   std::vector<Vec2> slope(edges.size());
   double area = 0;
@@ -118,8 +121,9 @@ void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edge
   }
 }
 
-/// Whether a ring keeps its shape without its area: corners resist, and edges resist a swelling more than the area
-/// does. Second derivatives by the logarithm of the size: 4 k_a a0^2 of the area, k_l sum l0^2 of the edges.
+/// Whether a ring keeps its shape without its area: corners resist, and edges resist a swelling more than the
+/// area does. Second derivatives by the logarithm of the size: 4 k_a a0^2 of the area, k_l sum l0^2 of the
+/// edges.
 bool stiff_without_area(const ShapeStiffness& k, double rest_area, const double* rest_length, int n) {
   double edges = 0;
   for (int i = 0; i < n; ++i) edges += k.facet * rest_length[i] * rest_length[i];
@@ -148,7 +152,8 @@ void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, 
     }
   const double* rest_length = &system.shape.rest_facet[facet];
   const double rest_area = system.shape.rest_volume[b];
-  if (n < RingBlocks::least_sparse || !stiff_without_area(k, rest_area, rest_length, n)) kind = HessianKind::exact;
+  if (n < RingBlocks::least_sparse || !stiff_without_area(k, rest_area, rest_length, n))
+    kind = HessianKind::exact;
   RingBlocks ring(first, n, kind, blocks);
   add_edge_energies(k, rest_length, edges, ring);
   if (k.volume != 0) add_area_energy(k.volume, rest_area, edges, kind, ring);

@@ -9,8 +9,9 @@ namespace {
 
 /// Adds Term on the stencils [begin[b], begin[b+1]) of every body whose stiffness is not zero.
 template <class Term, int Dim, class Stencil, class MakeParam>
-void add_stencils(const System<Dim>& system, const std::vector<std::int32_t>& begin, const std::vector<Stencil>& all,
-                  double ShapeStiffness::*stiffness, const MakeParam& param, TermSet<Dim>& terms) {
+void add_stencils(const System<Dim>& system, const std::vector<std::int32_t>& begin,
+                  const std::vector<Stencil>& all, double ShapeStiffness::*stiffness, const MakeParam& param,
+                  TermSet<Dim>& terms) {
   std::vector<Stencil> stencils;
   std::vector<typename Term::Param> params;
   for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) {
@@ -40,12 +41,21 @@ TermSet<Dim> shape_terms(const System<Dim>& system) {
   using Stretch = typename FacetStretch<Dim>::Param;
   using Bend = typename HingeBend<Dim>::Param;
   using Tension = typename FacetTension<Dim>::Param;
-  add_stencils<FacetStretch<Dim>>(system, t.facet_begin, t.facet, &ShapeStiffness::facet,
-                                  [&](double k, int s) { return Stretch{k, shape.rest_facet[s]}; }, terms);
-  add_stencils<HingeBend<Dim>>(system, t.hinge_begin, t.hinge, &ShapeStiffness::hinge,
-                               [&](double k, int s) { return Bend{k, shape.rest_hinge[s]}; }, terms);
-  add_stencils<FacetTension<Dim>>(system, t.facet_begin, t.facet, &ShapeStiffness::tension,
-                                  [](double k, int) { return Tension{k}; }, terms);
+  add_stencils<FacetStretch<Dim>>(
+      system, t.facet_begin, t.facet, &ShapeStiffness::facet,
+      [&](double k, int s) {
+        return Stretch{k, shape.rest_facet[s]};
+      },
+      terms);
+  add_stencils<HingeBend<Dim>>(
+      system, t.hinge_begin, t.hinge, &ShapeStiffness::hinge,
+      [&](double k, int s) {
+        return Bend{k, shape.rest_hinge[s]};
+      },
+      terms);
+  add_stencils<FacetTension<Dim>>(
+      system, t.facet_begin, t.facet, &ShapeStiffness::tension, [](double k, int) { return Tension{k}; },
+      terms);
   return terms;
 }
 

@@ -33,7 +33,8 @@ class TermSet {
     for (const auto& block : blocks_) block->evaluate(system, detail, out);
   }
 
-  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks, HessianKind kind = HessianKind::exact) const {
+  void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
+                   HessianKind kind = HessianKind::exact) const {
     for (const auto& block : blocks_) {
       if (kind == HessianKind::sparse) block->add_sparse_hessian(system, blocks);
       else block->add_hessian(system, blocks);

@@ -12,8 +12,8 @@ struct Interval {
   double low, high;
 };
 
-/// About as many bands as intervals, but none narrower than they are on average: the lists hold at most three numbers
-/// for each interval.
+/// About as many bands as intervals, but none narrower than they are on average: the lists hold at most three
+/// numbers for each interval.
 class Bands {
  public:
   explicit Bands(std::span<const Interval> intervals) {

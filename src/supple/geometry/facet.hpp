@@ -16,7 +16,8 @@ S facet_measure(const VecOf<S, 3> (&x)[3]) {
   return 0.5 * norm(cross(x[1] - x[0], x[2] - x[0]));
 }
 
-/// Signed area between an edge and the origin [length^2]; around a closed boundary they sum to the enclosed area.
+/// Signed area between an edge and the origin [length^2]; around a closed boundary they sum to the enclosed
+/// area.
 template <class S>
 S facet_volume(const VecOf<S, 2> (&x)[2]) {
   return 0.5 * cross(x[0], x[1]);

@@ -1,11 +1,12 @@
-/// The angle of a hinge, where two facets of a boundary meet: 0 where it is flat, positive where it is convex.
+/// The angle of a hinge, where two facets of a boundary meet: 0 where it is flat, positive where it is
+/// convex.
 #pragma once
 #include "supple/core/vec.hpp"
 
 namespace supple {
 
-/// Exterior (turning) angle at x[1] of a counter-clockwise boundary x[0], x[1], x[2], in (-pi, pi]; around a simple
-/// polygon they sum to 2 pi.
+/// Exterior (turning) angle at x[1] of a counter-clockwise boundary x[0], x[1], x[2], in (-pi, pi]; around a
+/// simple polygon they sum to 2 pi.
 template <class S>
 S hinge_angle(const VecOf<S, 2> (&x)[3]) {
   using std::atan2;
@@ -13,8 +14,8 @@ S hinge_angle(const VecOf<S, 2> (&x)[3]) {
   return atan2(cross(before, after), dot(before, after));
 }
 
-/// Angle between the outward normals of the triangles (x[0], x[1], x[2]) and (x[1], x[0], x[3]) along their edge x[0]
-/// x[1].
+/// Angle between the outward normals of the triangles (x[0], x[1], x[2]) and (x[1], x[0], x[3]) along their
+/// edge x[0] x[1].
 template <class S>
 S hinge_angle(const VecOf<S, 3> (&x)[4]) {
   using std::atan2;

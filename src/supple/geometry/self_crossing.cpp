@@ -24,7 +24,8 @@ std::optional<std::pair<int, int>> find_self_crossing(std::span<const Vec2> ring
   const auto right = [&](std::size_t k) { return std::max(ring[k][0], end(k)[0]); };
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = a + 1; b < n && left(order[b]) <= right(order[a]); ++b) {
       const std::size_t i = std::min(order[a], order[b]), j = std::max(order[a], order[b]);

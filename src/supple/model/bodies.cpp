@@ -23,7 +23,8 @@ void move_body(System<2>& system, int b, const Vec2& move) {
   const auto& rigid = system.rigid.body;
   if (const auto at = std::find(rigid.begin(), rigid.end(), b); at != rigid.end())
     system.rigid.centre[at - rigid.begin()] += move;
-  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) system.state.position[i] += move;
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+    system.state.position[i] += move;
 }
 
 void scale_cell(System<2>& system, const Vec2& factor) {

@@ -10,8 +10,9 @@ namespace supple {
 inline constexpr int flow = 0;      ///< direction of the flow
 inline constexpr int gradient = 1;  ///< direction of the velocity gradient
 
-/// A cell [0, length). `strain` is the accumulated shear strain (never wrapped) and `strain_rate` its rate: the
-/// image one cell up (gradient) is displaced by +strain * length[gradient] along the flow [Lees & Edwards 1972].
+/// A cell [0, length). `strain` is the accumulated shear strain (never wrapped) and `strain_rate` its rate:
+/// the image one cell up (gradient) is displaced by +strain * length[gradient] along the flow [Lees & Edwards
+/// 1972].
 template <int Dim>
 struct Box {
   Vec<Dim> length{};
@@ -69,7 +70,8 @@ struct Box {
     return s;
   }
 
-  /// Nearest vector from a to b. Exact for distances up to half of the shortest length (strain is reduced first).
+  /// Nearest vector from a to b. Exact for distances up to half of the shortest length (strain is reduced
+  /// first).
   Vec<Dim> displacement(const Vec<Dim>& a, const Vec<Dim>& b) const { return separation(a, b).r; }
 
   /// Velocity of image `up` cells above, relative to its original: subtract from v_b - v_a of a Separation.
@@ -86,8 +88,8 @@ struct Box {
     return u;
   }
 
-  /// Brings x into the cell and changes v by the velocity of the boundary that it crossed. Returns the cells that were
-  /// subtracted, by direction.
+  /// Brings x into the cell and changes v by the velocity of the boundary that it crossed. Returns the cells
+  /// that were subtracted, by direction.
   Vec<Dim> wrap(Vec<Dim>& x, Vec<Dim>& v) const {
     Vec<Dim> subtracted{};
     const auto outside = [&](int d) { return periodic[d] && !(0 <= x[d] && x[d] < length[d]); };

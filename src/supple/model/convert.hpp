@@ -10,7 +10,9 @@ template <int Dim>
 void convert(System<Dim>& system, const Units& from, const Units& to) {
   const double length = from.length / to.length, mass = from.mass / to.mass, time = from.time / to.time;
   const double speed = from.speed() / to.speed(), inertia = from.inertia() / to.inertia();
-  const auto scale = [](auto& values, double factor) { for (auto& v : values) v *= factor; };
+  const auto scale = [](auto& values, double factor) {
+    for (auto& v : values) v *= factor;
+  };
 
   system.time *= time;
   system.lag *= time;

@@ -11,8 +11,8 @@ namespace supple {
 /// How the scaffold is cut: into the Voronoi cells of random points, or by random straight lines.
 enum class CutKind { voronoi, lines };
 
-/// When isolated discs join a neighbour: before the particles' heights are checked, as joining makes them taller, or
-/// last, as in the published package, where a particle may end up taller than allowed.
+/// When isolated discs join a neighbour: before the particles' heights are checked, as joining makes them
+/// taller, or last, as in the published package, where a particle may end up taller than allowed.
 enum class IsolatedJoin { before_height_check, last };
 
 /// The keys of a case that make crosslinked particles (documentation, Table S2-1).

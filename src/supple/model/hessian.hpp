@@ -7,8 +7,8 @@
 
 namespace supple {
 
-/// Adds d2U / dx_a dx_b = h at the block (a, b); where a != b the block (b, a) is its transpose and is not listed.
-/// The same pair may occur many times: blocks add up.
+/// Adds d2U / dx_a dx_b = h at the block (a, b); where a != b the block (b, a) is its transpose and is not
+/// listed. The same pair may occur many times: blocks add up.
 template <int Dim>
 struct HessianBlock {
   std::int32_t a, b;

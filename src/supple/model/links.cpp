@@ -42,8 +42,7 @@ std::vector<std::int32_t> link_rows(const System<2>& system, LinkKind kind) {
   std::vector<std::int32_t> rows;
   for (std::int32_t row = 0; row < pairs.size(); ++row) {
     if (pairs.state[row] != ContactState::permanent) continue;
-    if (kind == LinkKind::all || !row_separation(system, row).crosses)
-      rows.push_back(row);
+    if (kind == LinkKind::all || !row_separation(system, row).crosses) rows.push_back(row);
   }
   return rows;
 }

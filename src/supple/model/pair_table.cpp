@@ -40,7 +40,8 @@ void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j,
     pairs.first.insert(pairs.first.begin() + row, i);
     pairs.second.insert(pairs.second.begin() + row, j);
     pairs.state.insert(pairs.state.begin() + row, state);
-    pairs.history.insert(pairs.history.begin() + static_cast<std::ptrdiff_t>(row) * pairs.width, pairs.width, 0.0);
+    pairs.history.insert(pairs.history.begin() + static_cast<std::ptrdiff_t>(row) * pairs.width, pairs.width,
+                         0.0);
     if (!pairs.image.empty()) pairs.image.insert(pairs.image.begin() + row, RowImage{});
     for (int k = i + 1; k <= sites; ++k) ++pairs.begin[k];
     ++pairs.version;

@@ -10,33 +10,41 @@ namespace supple {
 /// Tangential state of a pair. A permanent link never opens.
 enum class ContactState : std::uint8_t { open = 0, stick = 1, slip = 2, permanent = 3 };
 
-/// Which image of its second site a row is about: the cells to subtract from x_second - x_first, by direction. Any
-/// other row is about the nearest image.
+/// Which image of its second site a row is about: the cells to subtract from x_second - x_first, by
+/// direction. Any other row is about the nearest image.
 struct RowImage {
   std::array<std::int32_t, 3> cells{};
   bool kept = false;  ///< false: the nearest image, whichever that is
   bool operator==(const RowImage&) const = default;
 };
 
-/// Rows first < second in ascending (first, second): the canonical order of every sum over contacts, which does not
-/// depend on when the neighbour list was built. Rows of site i: [begin[i], begin[i+1]).
-/// `history` holds `width` numbers a row: what the law remembers (tangential elongation [length]).
+/// Rows first < second in ascending (first, second): the canonical order of every sum over contacts, which
+/// does not depend on when the neighbour list was built. Rows of site i: [begin[i], begin[i+1]). `history`
+/// holds `width` numbers a row: what the law remembers (tangential elongation [length]).
 struct PairTable {
   std::vector<std::int32_t> begin, first, second;
   std::vector<ContactState> state;
   std::vector<double> history;
   int width = 1;
-  /// Of each row, while some link is so long that its image need not be the nearest one; else empty. A link keeps its
-  /// image for life (NeighborList notes it, wrap_site follows it over the boundary).
+  /// Of each row, while some link is so long that its image need not be the nearest one; else empty. A link
+  /// keeps its image for life (NeighborList notes it, wrap_site follows it over the boundary).
   std::vector<RowImage> image;
   std::uint64_t version = 0;  ///< changes whenever rows come or go
-  /// How far pairs without a row were from touching when the table was made [length]; infinite for rows made by hand.
+  /// How far pairs without a row were from touching when the table was made [length]; infinite for rows made
+  /// by hand.
   double skin = std::numeric_limits<double>::infinity();
   /// Distance within which every pair has a row, links apart [length]; infinite for rows made by hand.
   double reach = std::numeric_limits<double>::infinity();
 
   int size() const { return static_cast<int>(first.size()); }
-  void clear() { begin.clear(); first.clear(); second.clear(); state.clear(); history.clear(); image.clear(); }
+  void clear() {
+    begin.clear();
+    first.clear();
+    second.clear();
+    state.clear();
+    history.clear();
+    image.clear();
+  }
   void resize(int rows) {
     first.resize(rows);
     second.resize(rows);
@@ -49,14 +57,15 @@ struct PairTable {
     int low = begin[i], high = begin[i + 1];
     while (low < high) {
       const int middle = (low + high) / 2;
-      if (second[middle] < j) low = middle + 1; else high = middle;
+      if (second[middle] < j) low = middle + 1;
+      else high = middle;
     }
     return low < begin[i + 1] && second[low] == j ? low : -1;
   }
 };
 
-/// Makes room for that many numbers of history a row: from two to one the mean is kept (the two elongations of the
-/// published package), from one to two the number is repeated.
+/// Makes room for that many numbers of history a row: from two to one the mean is kept (the two elongations
+/// of the published package), from one to two the number is repeated.
 void set_history_width(PairTable& pairs, int width);
 
 /// Fills `begin` from `first`, for that many sites.

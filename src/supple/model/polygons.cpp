@@ -47,10 +47,12 @@ ShapeStiffness absolute_stiffness(const ShapeSpec& shape, double a0, double l0, 
   return {shape.area / (a0 * a0), shape.length / (l0 * l0), shape.bending, shape.tension / (n * l0)};
 }
 
-void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radius, const ShapeStiffness& stiffness,
-              double rest_area, const std::vector<double>& rest_length, const std::vector<double>& rest_angle) {
+void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radius,
+              const ShapeStiffness& stiffness, double rest_area, const std::vector<double>& rest_length,
+              const std::vector<double>& rest_angle) {
   const auto n = static_cast<std::int32_t>(vertices.size());
-  if (n < 3) throw input_error(fmt::format("a polygon of {} vertices", n), "it encloses nothing", "give at least 3");
+  if (n < 3)
+    throw input_error(fmt::format("a polygon of {} vertices", n), "it encloses nothing", "give at least 3");
   if (rest_length.size() != vertices.size() || rest_angle.size() != vertices.size())
     throw input_error(fmt::format("a polygon of {} vertices with {} rest lengths and {} rest angles", n,
                                   rest_length.size(), rest_angle.size()),
@@ -85,8 +87,10 @@ void add_disc_body(System<2>& system, const Vec2& centre, double radius) {
 
 void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double angle, double diameter_ratio,
                  const ShapeSpec& shape) {
-  if (n < 3) throw input_error(fmt::format("a polygon of {} vertices", n), "it encloses nothing", "give at least 3");
-  const double least = least_shape_parameter(n), wanted = shape.shape_parameter > 0 ? shape.shape_parameter : least;
+  if (n < 3)
+    throw input_error(fmt::format("a polygon of {} vertices", n), "it encloses nothing", "give at least 3");
+  const double least = least_shape_parameter(n),
+               wanted = shape.shape_parameter > 0 ? shape.shape_parameter : least;
   if (!(a0 > 0 && diameter_ratio > 0))
     throw input_error(fmt::format("a polygon of area {} and vertex diameter {} edges", a0, diameter_ratio),
                       "both must be positive");
@@ -98,8 +102,8 @@ void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double
   const double circumradius = std::sqrt(2 * a0 / (n * std::sin(2 * pi / n)));
   std::vector<Vec2> vertices;
   for (int k = 0; k < n; ++k)
-    vertices.push_back(centre +
-                       circumradius * Vec2{std::cos(angle + 2 * pi * k / n), std::sin(angle + 2 * pi * k / n)});
+    vertices.push_back(centre + circumradius *
+                                    Vec2{std::cos(angle + 2 * pi * k / n), std::sin(angle + 2 * pi * k / n)});
   const auto count = static_cast<std::size_t>(n);
   add_ring(system, vertices, 0.5 * diameter_ratio * l0, absolute_stiffness(shape, a0, l0, n), a0,
            std::vector<double>(count, l0), std::vector<double>(count, shape.regular_angles ? 2 * pi / n : 0));

@@ -13,8 +13,8 @@ enum class StiffnessKind {
   relative   ///< (k_a/2)(a/a0 - 1)^2, (k_l/2)(l/l0 - 1)^2: energy
 };
 
-/// Shape energy of one particle before its size is known: k_a, k_l, k_b, gamma. Line tension is relative like the rest:
-/// gamma p/p0.
+/// Shape energy of one particle before its size is known: k_a, k_l, k_b, gamma. Line tension is relative like
+/// the rest: gamma p/p0.
 struct ShapeSpec {
   double area = 1, length = 1, bending = 0, tension = 0;
   StiffnessKind kind = StiffnessKind::relative;
@@ -24,10 +24,10 @@ struct ShapeSpec {
   bool regular_angles = true;
 };
 
-/// Adds a regular polygon of n >= 3 vertices with preferred area a0 [length^2] about a centre, its first vertex at
-/// `angle`, and gives it its preferred shape; it starts with area a0, so that a shape parameter above the least one
-/// means edges under compression. Vertices have mass 1 and diameter sigma = `diameter_ratio` l0. Input errors on bad
-/// numbers.
+/// Adds a regular polygon of n >= 3 vertices with preferred area a0 [length^2] about a centre, its first
+/// vertex at `angle`, and gives it its preferred shape; it starts with area a0, so that a shape parameter
+/// above the least one means edges under compression. Vertices have mass 1 and diameter sigma =
+/// `diameter_ratio` l0. Input errors on bad numbers.
 void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double angle, double diameter_ratio,
                  const ShapeSpec& shape);
 
@@ -35,8 +35,9 @@ void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double
 void add_disc_body(System<2>& system, const Vec2& centre, double radius);
 
 /// Adds a body of these vertices as they are (counter-clockwise, unwrapped) with rest values of its own.
-void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radius, const ShapeStiffness& stiffness,
-              double rest_area, const std::vector<double>& rest_length, const std::vector<double>& rest_angle);
+void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radius,
+              const ShapeStiffness& stiffness, double rest_area, const std::vector<double>& rest_length,
+              const std::vector<double>& rest_angle);
 
 /// N tan(pi/N)/pi, the shape parameter p^2/(4 pi a) of a regular polygon, the least that n edges allow.
 double least_shape_parameter(int n);

@@ -70,7 +70,8 @@ void make_rigid(System<2>& system, int b) {
     offset.push_back(system.state.position[i] - m.centre);
   rigid.offset.insert(rigid.offset.begin() + rigid.begin[r], offset.begin(), offset.end());
   insert(rigid.begin, rigid.begin[r]);
-  for (std::size_t k = r + 1; k < rigid.begin.size(); ++k) rigid.begin[k] += static_cast<std::int32_t>(offset.size());
+  for (std::size_t k = r + 1; k < rigid.begin.size(); ++k)
+    rigid.begin[k] += static_cast<std::int32_t>(offset.size());
   if (!system.shape.empty()) system.shape.stiffness[static_cast<std::size_t>(b)] = {};
   place_sites(system);
 }
@@ -117,6 +118,8 @@ bool held(const System<2>& system, int r) {
   return false;
 }
 
-double gyration_radius(const RigidBodies& rigid, int r) { return std::sqrt(rigid.inertia[r] / rigid.mass[r]); }
+double gyration_radius(const RigidBodies& rigid, int r) {
+  return std::sqrt(rigid.inertia[r] / rigid.mass[r]);
+}
 
 }  // namespace supple

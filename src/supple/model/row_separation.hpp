@@ -15,8 +15,8 @@ Vec<Dim> cells_of(const RowImage& image) {
   return cells;
 }
 
-/// Vector from the first site of the row to the image of the second that it is about: its own, where it keeps one, or
-/// the nearest.
+/// Vector from the first site of the row to the image of the second that it is about: its own, where it keeps
+/// one, or the nearest.
 template <int Dim>
 typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int32_t row) {
   const PairTable& pairs = system.pairs;
@@ -28,8 +28,8 @@ typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int
 /// Cells that a site may leave behind at once: a coordinate of more has lost the digits that contacts need.
 inline constexpr double most_cells_passed = 1e6;
 
-/// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left more cells
-/// behind than `most_cells_passed`; numbers that are not finite stay.
+/// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left
+/// more cells behind than `most_cells_passed`; numbers that are not finite stay.
 template <int Dim>
 void wrap_site(System<Dim>& system, std::int32_t i) {
   const Vec<Dim> moved = system.box.wrap(system.state.position[i], system.state.velocity[i]);

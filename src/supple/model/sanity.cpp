@@ -28,7 +28,8 @@ class Judge {
   static bool is_size(double x) { return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest); }
   void size(double x, const std::string& name) const {
     if (!is_size(x))
-      refuse(fmt::format("{} is {:.6g}", name, x), fmt::format("numbers are from {:g} to {:g} here", smallest, largest));
+      refuse(fmt::format("{} is {:.6g}", name, x),
+             fmt::format("numbers are from {:g} to {:g} here", smallest, largest));
   }
   void positive_size(double x, const std::string& name) const {
     if (!(x > 0)) refuse(fmt::format("{} is {:.6g}", name, x), "it must be positive");
@@ -75,8 +76,8 @@ class Judge {
              fmt::format("the largest may be {:g} of the smallest", widest));
     const double reach = farthest * *least;
     const auto within = [&](const Vec2& x) { return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach; };
-    const std::string why = fmt::format("beyond {:g} radii of the smallest site, {:.6g}, contacts would not be resolved",
-                                        farthest, reach);
+    const std::string why = fmt::format(
+        "beyond {:g} radii of the smallest site, {:.6g}, contacts would not be resolved", farthest, reach);
     if (!within(system_.box.length))
       refuse(fmt::format("its cell is {:.6g} x {:.6g}", system_.box.length[0], system_.box.length[1]), why);
     if (std::abs(system_.box.strain) * system_.box.length[gradient] > reach)
@@ -90,7 +91,8 @@ class Judge {
     const Shape& shape = system_.shape;
     for (std::size_t b = 0; b < shape.stiffness.size(); ++b) {
       const ShapeStiffness& k = shape.stiffness[b];
-      for (const double x : {k.volume, k.facet, k.hinge, k.tension}) size(x, fmt::format("a stiffness of particle {}", b));
+      for (const double x : {k.volume, k.facet, k.hinge, k.tension})
+        size(x, fmt::format("a stiffness of particle {}", b));
     }
     sizes(shape.rest_volume, "the preferred area of particle");
     positive_sizes(shape.rest_facet, "the preferred length of edge");
@@ -98,7 +100,8 @@ class Judge {
     const RigidBodies& r = system_.rigid;
     positive_sizes(r.mass, "the mass of rigid particle");
     positive_sizes(r.inertia, "the inertia of rigid particle");
-    for (const auto* vectors : {&r.centre, &r.velocity, &r.offset}) sizes(*vectors, "a vector of rigid particle");
+    for (const auto* vectors : {&r.centre, &r.velocity, &r.offset})
+      sizes(*vectors, "a vector of rigid particle");
     for (const auto* numbers : {&r.angle, &r.spin}) sizes(*numbers, "an angle or spin of rigid particle");
     sizes(system_.pairs.history, "the elongation of contact");
   }
@@ -107,7 +110,8 @@ class Judge {
     const State<2>& s = system_.state;
     double sum = 0;
     for (std::size_t i = 0; i < s.velocity.size(); ++i) sum += s.mass[i] * dot(s.velocity[i], s.velocity[i]);
-    if (!(0.5 * sum <= largest)) refuse(fmt::format("its kinetic energy is {:.6g}", 0.5 * sum), "it is too much");
+    if (!(0.5 * sum <= largest))
+      refuse(fmt::format("its kinetic energy is {:.6g}", 0.5 * sum), "it is too much");
   }
 
  private:

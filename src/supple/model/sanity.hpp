@@ -8,8 +8,10 @@ namespace supple {
 
 /// Throws an input error that begins with `what` ("the state to start from") unless
 /// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths are positive;
-/// * every number is finite and its size between 1e-60 and 1e60 (or 0 where it may be), so that products of four are;
-/// * no site lies further out than 1e9 of the smallest radius (nor the cell reaches further): positions, of 16 digits,
+/// * every number is finite and its size between 1e-60 and 1e60 (or 0 where it may be), so that products of
+/// four are;
+/// * no site lies further out than 1e9 of the smallest radius (nor the cell reaches further): positions, of
+/// 16 digits,
 ///   would not resolve contacts;
 /// * the largest radius is at most 1e7 of the smallest one;
 /// * the kinetic energy is finite.

@@ -4,8 +4,8 @@
 
 namespace supple {
 
-/// Stiffnesses of the shape energy of one body [MacKeith 2025, eq. 9.1-9.2]; v enclosed area (volume), l length of an
-/// edge (area of a triangle), theta angle of a hinge:
+/// Stiffnesses of the shape energy of one body [MacKeith 2025, eq. 9.1-9.2]; v enclosed area (volume), l
+/// length of an edge (area of a triangle), theta angle of a hinge:
 ///     U = (volume/2)(v - v0)^2 + sum (facet/2)(l - l0)^2 + sum (hinge/2)(theta - theta0)^2 + tension sum l.
 struct ShapeStiffness {
   double volume = 0;   ///< k_a [energy/length^4] in 2D
@@ -14,8 +14,8 @@ struct ShapeStiffness {
   double tension = 0;  ///< gamma [energy/length] in 2D
 };
 
-/// Stiffness and rest value per body, and rest values aligned with Topology::facet and ::hinge. Empty: no body has a
-/// shape.
+/// Stiffness and rest value per body, and rest values aligned with Topology::facet and ::hinge. Empty: no
+/// body has a shape.
 struct Shape {
   std::vector<ShapeStiffness> stiffness;  ///< of each body; zero for discs and rigid bodies
   std::vector<double> rest_volume;        ///< of each body

@@ -20,11 +20,12 @@ struct System {
   Shape shape;
   RigidBodies rigid;  ///< empty: every body deforms
   PairTable pairs;
-  /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with friction.
+  /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with
+  /// friction.
   std::vector<double> floor_contact;
   double time = 0;
-  /// Time over which the present velocities carried the positions while contact history has not yet followed: the
-  /// last step of a leapfrog, 0 where position and velocity are of one instant.
+  /// Time over which the present velocities carried the positions while contact history has not yet followed:
+  /// the last step of a leapfrog, 0 where position and velocity are of one instant.
   double lag = 0;
   std::int64_t step = 0;
 };

@@ -8,8 +8,8 @@ namespace supple {
 
 /// Sites [begin[b], begin[b+1]) form body b; empty `begin`: every site is a body of its own (discs).
 /// A facet has Dim sites (edge, triangle); a hinge joins two facets (Dim + 1 sites); a bond joins two sites.
-/// Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon leaves its vertex
-/// k, counter-clockwise, and hinge k is the corner there: (previous, k, next).
+/// Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon leaves
+/// its vertex k, counter-clockwise, and hinge k is the corner there: (previous, k, next).
 template <int Dim>
 struct Topology {
   std::vector<std::int32_t> begin, facet_begin, hinge_begin;

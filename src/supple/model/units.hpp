@@ -15,7 +15,9 @@ struct Units {
   double viscosity() const { return mass / time; }
   double torque() const { return force() * length; }
   double stress() const { return force() / length; }
-  double density() const { return mass / (length * length); }  ///< per area in 2D: kg/m^3, mass being per depth
+  double density() const {
+    return mass / (length * length);
+  }  ///< per area in 2D: kg/m^3, mass being per depth
   double inertia() const { return mass * length * length; }
 };
 

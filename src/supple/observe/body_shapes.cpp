@@ -59,15 +59,16 @@ void bring_into_cell(BodyShape& shape, const Box<2>& box) {
   shape.bounds = shape.bounds.shifted(shift);
 }
 
-/// Copies of a body along one direction, and of all bodies for each of them. Bodies are less than a cell wide, so that
-/// ten meet the cell; a damaged size would make more than there is memory.
+/// Copies of a body along one direction, and of all bodies for each of them. Bodies are less than a cell
+/// wide, so that ten meet the cell; a damaged size would make more than there is memory.
 constexpr double most_copies = 1e6;
 constexpr std::size_t most_images = 1000;
 
 [[noreturn]] void refuse_copies(int body, const Bounds& b, const Box<2>& box) {
-  throw input_error(fmt::format("no copies of body {}, {:.3g} x {:.3g} in size, in a cell of {:.3g} x {:.3g}", body,
-                                b.high[0] - b.low[0], b.high[1] - b.low[1], box.length[0], box.length[1]),
-                    "there would be thousands", "look for a wrong unit or a damaged number");
+  throw input_error(
+      fmt::format("no copies of body {}, {:.3g} x {:.3g} in size, in a cell of {:.3g} x {:.3g}", body,
+                  b.high[0] - b.low[0], b.high[1] - b.low[1], box.length[0], box.length[1]),
+      "there would be thousands", "look for a wrong unit or a damaged number");
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ struct BodyImage {
   Bounds bounds;
 };
 
-/// One copy of every body, its middle brought into the cell, whatever its shape. Throws an input error on a cell that
-/// has no size, and on a body without sites.
+/// One copy of every body, its middle brought into the cell, whatever its shape. Throws an input error on a
+/// cell that has no size, and on a body without sites.
 std::vector<BodyShape> lay_out_bodies(const System<2>& system);
 
 /// The same for bodies that have an area. Throws an input error also on a body of two sites, on

@@ -21,7 +21,8 @@ struct Sides {
   }
 };
 
-/// Part h/r of the contact's line that lies within the body of radius `own`: up to the chord where the circles cross.
+/// Part h/r of the contact's line that lies within the body of radius `own`: up to the chord where the
+/// circles cross.
 double share_of(double own, double other, double distance) {
   if (!(distance > 0)) return 0.5;
   return std::clamp(0.5 + 0.5 * (own - other) * (own + other) / (distance * distance), 0.0, 1.0);
@@ -37,8 +38,8 @@ Mat2 kinetic_moment(const System<2>& system) {
   return sum;
 }
 
-/// Sum F r^T over the sites of body b. The forces of a body sum to zero, so that r may be from any point; a near one
-/// loses no digits.
+/// Sum F r^T over the sites of body b. The forces of a body sum to zero, so that r may be from any point; a
+/// near one loses no digits.
 Mat2 shape_moment(const System<2>& system, std::span<const Vec2> force, int b) {
   Mat2 moment;
   const std::int32_t first = system.topology.body_begin(b);
@@ -47,7 +48,8 @@ Mat2 shape_moment(const System<2>& system, std::span<const Vec2> force, int b) {
   return moment;
 }
 
-/// A wall moves with the cell: its force acts over the distance to it. Friction of the floor is along it and does not.
+/// A wall moves with the cell: its force acts over the distance to it. Friction of the floor is along it and
+/// does not.
 Mat2 wall_moment(const System<2>& system, const SiteForce<2>& wall) {
   const int d = wall.force[gradient] != 0 ? gradient : flow;
   const double x = system.state.position[wall.site][d];
@@ -75,7 +77,8 @@ void add_rigid_forces(const System<2>& system, const std::vector<Vec2>& force, s
 }  // namespace
 
 std::vector<Mat2> BodyStresses::of_bodies(std::span<const double> area) const {
-  if (area.size() != moment.size()) throw input_error("areas and bodies differ in number", "each body has one");
+  if (area.size() != moment.size())
+    throw input_error("areas and bodies differ in number", "each body has one");
   std::vector<Mat2> stress = moment;
   for (std::size_t b = 0; b < stress.size(); ++b) stress[b] *= 1 / area[b];
   return stress;
@@ -94,7 +97,8 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
   }
   for (const ContactRecord<2>& record : records) {
     const Sides sides(record);
-    const double distance = record.distance(), force = record.multiplicity * law.force(distance, record.reach);
+    const double distance = record.distance(),
+                 force = record.multiplicity * law.force(distance, record.reach);
     Mat2 moment;
     moment.add_outer(force, record.normal, record.branch);
     s.contact += moment;
@@ -113,12 +117,14 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
 
 BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation) {
   if (!field.bodies())
-    throw input_error("no stress of bodies", "this force field is of discs with memory", "use stress_tensors");
+    throw input_error("no stress of bodies", "this force field is of discs with memory",
+                      "use stress_tensors");
   Evaluation<2> shape;
   shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec2{});
   field.terms().evaluate(system, Detail::forces, shape);
   add_rigid_forces(system, evaluation.force, shape.force);
-  return body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(), evaluation.wall);
+  return body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(),
+                       evaluation.wall);
 }
 
 }  // namespace supple

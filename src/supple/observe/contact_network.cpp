@@ -28,8 +28,8 @@ std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyT
   return site;
 }
 
-/// From the far side as it is stored to the copy that the record is with: its branch is the sum of weight times
-/// position over the nearest images.
+/// From the far side as it is stored to the copy that the record is with: its branch is the sum of weight
+/// times position over the nearest images.
 Vec2 shift_of(const System<2>& system, const ContactRecord<2>& record) {
   Vec2 stored{};
   for (int k = 0; k < record.sites; ++k) stored += record.weight[k] * system.state.position[record.site[k]];
@@ -97,7 +97,9 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
   const int sites = system.state.size();
   network.walls.assign(static_cast<std::size_t>(system.topology.body_count(sites)), 0);
   for (const SiteContact& c : contacts) network.pairs.push_back(pair_of(system.box, c));
-  const auto key = [](const ContactNetwork::Pair& p) { return std::tuple(p.first, p.second, p.across, p.up); };
+  const auto key = [](const ContactNetwork::Pair& p) {
+    return std::tuple(p.first, p.second, p.across, p.up);
+  };
   std::sort(network.pairs.begin(), network.pairs.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::size_t last = 0;

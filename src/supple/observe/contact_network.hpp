@@ -30,8 +30,8 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                     const Harmonic& law);
 
-/// The bodies that touch each other, or a wall. Two bodies that meet through two images, as in a very small cell, are
-/// two pairs: each of them has two neighbours.
+/// The bodies that touch each other, or a wall. Two bodies that meet through two images, as in a very small
+/// cell, are two pairs: each of them has two neighbours.
 struct ContactNetwork {
   struct Pair {
     std::int32_t first, second;  ///< bodies, first <= second

@@ -75,8 +75,8 @@ std::span<const Sample> samples_in(const Series& series, const Protocol& p, cons
   return {at(w.begin), at(w.end)};
 }
 
-/// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours, the last one's
-/// next being the first, a window later: even sampling gets even weights.
+/// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours, the
+/// last one's next being the first, a window later: even sampling gets even weights.
 std::vector<double> fit(const Series& series, const Protocol& p, const Window& w, const Model& model) {
   const std::span<const Sample> samples = samples_in(series, p, w);
   const std::size_t n = model.size(), count = samples.size();
@@ -97,8 +97,8 @@ std::vector<double> fit(const Series& series, const Protocol& p, const Window& w
 }
 
 /// Fits of each cycle by itself.
-std::vector<std::vector<double>> fit_cycles(const Series& series, const Protocol& p, const Window& whole, int cycles,
-                                            const Model& model) {
+std::vector<std::vector<double>> fit_cycles(const Series& series, const Protocol& p, const Window& whole,
+                                            int cycles, const Model& model) {
   std::vector<std::vector<double>> all;
   for (int k = cycles; k > 0; --k)
     all.push_back(fit(series, p, {whole.end - k / p.frequency, whole.end - (k - 1) / p.frequency}, model));
@@ -120,11 +120,12 @@ void remove_ramp(Series& series, double slope, double from) {
   for (Sample& s : series) s.stress -= slope * (s.time - from);
 }
 
-/// A ramp that is fitted beside a few harmonics takes up some of those that are not fitted. What it is wrong by shows
-/// from cycle to cycle, as harmonics of any order do not: two and more cycles correct it.
+/// A ramp that is fitted beside a few harmonics takes up some of those that are not fitted. What it is wrong
+/// by shows from cycle to cycle, as harmonics of any order do not: two and more cycles correct it.
 Demodulation fit_all(Series series, const Protocol& p) {
   Demodulation result;
-  const int cycles = result.cycles = whole_number<int>(std::floor(p.periods - first_measured(p) + 1e-9), "cycles of the shear", "lower shear.periods");
+  const int cycles = result.cycles = whole_number<int>(std::floor(p.periods - first_measured(p) + 1e-9),
+                                                       "cycles of the shear", "lower shear.periods");
   const double start = p.pre / p.frequency, end = (p.pre + p.periods) / p.frequency;
   const Window whole{end - cycles / p.frequency, end};
   const double samples = static_cast<double>(samples_in(series, p, whole).size()) / cycles;
@@ -161,7 +162,8 @@ Demodulation fit_all(Series series, const Protocol& p) {
 void check(std::span<const double> time, std::span<const double> stress, const Protocol& p) {
   constexpr const char* failed = "the stress cannot be demodulated";
   if (time.size() != stress.size() || time.empty())
-    throw input_error(failed, std::to_string(time.size()) + " times, " + std::to_string(stress.size()) + " stresses");
+    throw input_error(failed,
+                      std::to_string(time.size()) + " times, " + std::to_string(stress.size()) + " stresses");
   if (std::adjacent_find(time.begin(), time.end(), std::greater_equal<>{}) != time.end())
     throw input_error(failed, "its times do not ascend");
   if (!(p.frequency > 0 && p.amplitude > 0 && p.periods > 0 && p.pre >= 0 && p.post >= 0))
@@ -175,12 +177,15 @@ Demodulation demodulate(std::span<const double> time, std::span<const double> st
   check(time, stress, p);
   const bool published = correction == DriftCorrection::published;
   if (!published && p.periods < 1 - 1e-9)
-    throw input_error("the stress cannot be demodulated", "less than one period of shear tells G', G'', offset and "
-                      "drift not apart", "shear for at least one period");
+    throw input_error("the stress cannot be demodulated",
+                      "less than one period of shear tells G', G'', offset and "
+                      "drift not apart",
+                      "shear for at least one period");
   Series series;
   series.reserve(time.size());
   for (std::size_t i = 0; i < time.size(); ++i) series.push_back({time[i], stress[i]});
-  Demodulation result = published ? project_as_published(std::move(series), p) : fit_all(std::move(series), p);
+  Demodulation result =
+      published ? project_as_published(std::move(series), p) : fit_all(std::move(series), p);
   result.storage.value = result.in_phase / p.amplitude;
   result.loss.value = result.out_of_phase / p.amplitude;
   return result;

@@ -76,7 +76,8 @@ Demodulation project_as_published(Series series, const Protocol& p) {
   result.third_amplitude = std::hypot(c[third_sin], c[third_cos]);
   result.third_phase = std::atan2(c[third_cos], c[third_sin]);
 
-  result.cycles = whole_number<int>(std::floor(p.periods - skipped + 1e-9), "cycles of the shear", "lower shear.periods");
+  result.cycles =
+      whole_number<int>(std::floor(p.periods - skipped + 1e-9), "cycles of the shear", "lower shear.periods");
   std::vector<double> storage, loss;
   for (int k = result.cycles; k > 0; --k) {
     const Coefficients cycle = project(series, p, end - k / p.frequency, end - (k - 1) / p.frequency);

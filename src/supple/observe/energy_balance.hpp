@@ -15,19 +15,22 @@ EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluatio
 
 /// Work done on the discs, and energy lost, since the account was opened [energy].
 struct EnergyFlows {
-  double plates = 0;      ///< work: discs that plates move, less what discs lose when a plate takes them
-  double images = 0;      ///< work: -A sigma_xy rate of contacts across the sheared boundary, and discs that cross it
+  double plates = 0;  ///< work: discs that plates move, less what discs lose when a plate takes them
+  double images =
+      0;  ///< work: -A sigma_xy rate of contacts across the sheared boundary, and discs that cross it
   double shear_rate = 0;  ///< work: velocities that jump with the shear rate
-  double viscous = 0, tangential_viscous = 0, sliding = 0;  ///< lost in contacts: central, tangential, by friction
+  double viscous = 0, tangential_viscous = 0,
+         sliding = 0;     ///< lost in contacts: central, tangential, by friction
   double background = 0;  ///< lost by damping relative to the flow, less the work of that flow
 
   double work() const { return plates + images + shear_rate; }
   double lost() const { return viscous + tangential_viscous + sliding + background; }
 };
 
-/// The account of a run: an integrator books each thing that it does to the velocities (DiscDynamics::set_account), and
-/// the forces of each instant for the half step before it and the half step after it. Work and losses are independent
-/// of the energies, so what is left over measures the error of the time step:
+/// The account of a run: an integrator books each thing that it does to the velocities
+/// (DiscDynamics::set_account), and the forces of each instant for the half step before it and the half step
+/// after it. Work and losses are independent of the energies, so what is left over measures the error of the
+/// time step:
 ///     residual = change of energy - work + lost.
 class EnergyBalance {
  public:

@@ -15,8 +15,10 @@ Vec2 unwrapped(const Box<2>& box, const Vec2& before, Vec2 now) {
   return now;
 }
 
-/// The same contacts and forces with the discs at these places: which contacts cross the cut follows from them.
-StressTensors tensors_with(const std::vector<Vec2>& position, System<2> system, Evaluation<2> evaluation, double unit) {
+/// The same contacts and forces with the discs at these places: which contacts cross the cut follows from
+/// them.
+StressTensors tensors_with(const std::vector<Vec2>& position, System<2> system, Evaluation<2> evaluation,
+                           double unit) {
   system.state.position = position;
   const double half_cell = 0.5 * std::min(system.box.length[0], system.box.length[1]);
   for (int row = 0; row < system.pairs.size(); ++row) {

@@ -6,17 +6,18 @@
 
 namespace supple {
 
-/// The external stress (S1-16) depends on where the cell is cut: when a disc leaves through one side and enters at the
-/// other, its contacts change between internal and external, and the published series jumps although no force does.
-/// At such a step the stress is evaluated twice with the same forces, for the cut before and the cut after the disc
-/// crossed, and the difference is subtracted from there on. The series is then as smooth as the forces, but its level
-/// is that of the first cut: it drifts as discs migrate, and a disc that comes back brings its jump of that instant.
+/// The external stress (S1-16) depends on where the cell is cut: when a disc leaves through one side and
+/// enters at the other, its contacts change between internal and external, and the published series jumps
+/// although no force does. At such a step the stress is evaluated twice with the same forces, for the cut
+/// before and the cut after the disc crossed, and the difference is subtracted from there on. The series is
+/// then as smooth as the forces, but its level is that of the first cut: it drifts as discs migrate, and a
+/// disc that comes back brings its jump of that instant.
 class JumpCorrection {
  public:
   /// Goes on from a series from which jumps of this sum were removed already.
   explicit JumpCorrection(double removed = 0) : start_(removed), removed_(removed) {}
-  /// External shear stress without the jumps so far, in the unit of `tensors` (`unit` as in stress_tensors). Call it
-  /// at every step: a disc must not move by half a cell between two calls.
+  /// External shear stress without the jumps so far, in the unit of `tensors` (`unit` as in stress_tensors).
+  /// Call it at every step: a disc must not move by half a cell between two calls.
   double corrected(const System<2>& system, const Evaluation<2>& evaluation, const StressTensors& tensors,
                    double unit = 1);
 

@@ -31,7 +31,8 @@ std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::sp
   const double ease = pf / pp;  // 1/slope
   const double variance = std::max(0.0, ff - ease * pf) / (n - 2);
   const double ease_error = std::sqrt(variance / pp);
-  return Onset{phi - ease * p, 1 / ease, std::sqrt(variance * (1.0 / n + p * p / pp)), ease_error / (ease * ease), n};
+  return Onset{phi - ease * p, 1 / ease, std::sqrt(variance * (1.0 / n + p * p / pp)),
+               ease_error / (ease * ease), n};
 }
 
 std::optional<Onset> fit_onset(std::span<const double> packing_fraction, std::span<const double> pressure,

@@ -72,7 +72,10 @@ std::vector<Interval> heights_of(const std::vector<OutlineCurve>& curves) {
 class Body {
  public:
   Body(const BodyShape& shape, Outline outline, double tolerance)
-      : shape_(shape), outline_(outline), tolerance_(tolerance), curves_(outline_curves(shape, outline)),
+      : shape_(shape),
+        outline_(outline),
+        tolerance_(tolerance),
+        curves_(outline_curves(shape, outline)),
         edges_(heights_of_edges(shape, tolerance)) {}
 
   const BodyShape& shape() const { return shape_; }
@@ -83,12 +86,9 @@ class Body {
   bool covers_own(const Vec2& x, const OutlineCurve& on) const {
     if (shape_.is_disc()) return false;
     switch (on.source) {
-      case Source::edge:
-        return reached(x, -1, -1);
-      case Source::corner:
-        return reached(x, shape_.previous(on.site), on.site) || in_polygon(x);
-      default:
-        return reached(x, on.site, on.site) || in_polygon(x);
+      case Source::edge: return reached(x, -1, -1);
+      case Source::corner: return reached(x, shape_.previous(on.site), on.site) || in_polygon(x);
+      default: return reached(x, on.site, on.site) || in_polygon(x);
     }
   }
 

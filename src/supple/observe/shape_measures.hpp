@@ -11,7 +11,7 @@ namespace supple {
 struct ShapeMeasures {
   std::vector<double> area, perimeter;  ///< [length^2], [length]
   std::vector<double>
-      shape_parameter;       ///< p^2/(4 pi a), at least N tan(pi/N)/pi for N vertices; 0 for a body of one site
+      shape_parameter;  ///< p^2/(4 pi a), at least N tan(pi/N)/pi for N vertices; 0 for a body of one site
   std::vector<Vec2> centre;  ///< of the area, in the unwrapped copy
 };
 

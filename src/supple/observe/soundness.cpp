@@ -185,7 +185,8 @@ std::string Soundness::what() const {
   say(not_finite, "has a position that is no number", "have positions that are no numbers");
   say(turned_over, "has turned inside out", "have turned inside out");
   say(self_crossing, "crosses itself", "cross themselves");
-  say(inside, "is inside another one, or a vertex of it is", "are inside another one, or vertices of them are");
+  say(inside, "is inside another one, or a vertex of it is",
+      "are inside another one, or vertices of them are");
   say(crossing, "crosses another one", "cross another one");
   say(open, "has an edge so long that a vertex of another one fits between its ends",
       "have edges so long that a vertex of another one fits between their ends");

@@ -29,8 +29,8 @@ struct Soundness {
   std::string what() const;
 };
 
-/// Looks at all bodies, with all of their images. Costs two or three force evaluations for a few bodies and some ten for
-/// hundreds: bodies are found by their bounds, edges by theirs.
+/// Looks at all bodies, with all of their images. Costs two or three force evaluations for a few bodies and
+/// some ten for hundreds: bodies are found by their bounds, edges by theirs.
 Soundness look_at(const System<2>& system, Outline outline);
 
 }  // namespace supple

@@ -5,7 +5,8 @@
 namespace supple {
 namespace {
 
-/// Sums over contacts of F l^T, and of the torques T_i + T_j = F_t d (S1-3). With F = -P n + F_t t and l = -d n,
+/// Sums over contacts of F l^T, and of the torques T_i + T_j = F_t d (S1-3). With F = -P n + F_t t and l = -d
+/// n,
 ///     F l^T = d P n n^T - d F_t t n^T,
 /// where n n^T is symmetric to the last bit.
 struct ContactSums {
@@ -13,7 +14,8 @@ struct ContactSums {
 
   void add(const PairForce<2>& p) {
     const double central = p.distance * (p.elastic + p.viscous), couple = p.distance * p.tangential;
-    const double nxx = p.normal[0] * p.normal[0], nxy = p.normal[0] * p.normal[1], nyy = p.normal[1] * p.normal[1];
+    const double nxx = p.normal[0] * p.normal[0], nxy = p.normal[0] * p.normal[1],
+                 nyy = p.normal[1] * p.normal[1];
     xx += central * nxx + couple * nxy;
     xy += central * nxy + couple * nyy;
     yx += central * nxy - couple * nxx;
@@ -21,7 +23,11 @@ struct ContactSums {
     torque += couple;
   }
   ContactSums& operator+=(const ContactSums& b) {
-    xx += b.xx; xy += b.xy; yx += b.yx; yy += b.yy; torque += b.torque;
+    xx += b.xx;
+    xy += b.xy;
+    yx += b.yx;
+    yy += b.yy;
+    torque += b.torque;
     return *this;
   }
   Mat2 love_weber() const { return {{{xx, xy}, {yx, yy}}}; }
@@ -54,10 +60,13 @@ void add_contacts(const System<2>& system, const Evaluation<2>& evaluation, Stre
     if (first_free) external.add_outer(-1, force, position[i] - centre);
     if (second_free) external.add_outer(1, force, position[j] - centre);
     external_register += 4 * (first_free + second_free);
-    if (is_plate(mobility[i]) && second_free) plates -= position[j][gradient] > centre[gradient] ? force[flow] : -force[flow];
-    if (is_plate(mobility[j]) && first_free) plates += position[i][gradient] > centre[gradient] ? force[flow] : -force[flow];
+    if (is_plate(mobility[i]) && second_free)
+      plates -= position[j][gradient] > centre[gradient] ? force[flow] : -force[flow];
+    if (is_plate(mobility[j]) && first_free)
+      plates += position[i][gradient] > centre[gradient] ? force[flow] : -force[flow];
   }
-  for (const SiteForce<2>& wall : evaluation.wall) external.add_outer(-1, wall.force, position[wall.site] - centre);
+  for (const SiteForce<2>& wall : evaluation.wall)
+    external.add_outer(-1, wall.force, position[wall.site] - centre);
 
   s.pair_register = pair_register;
   s.external_register = external_register;
@@ -80,7 +89,8 @@ void add_sites(const System<2>& system, const Evaluation<2>& evaluation, StressT
   double rotational_energy = 0;
   for (int i = 0; i < state.size(); ++i) {
     if (state.mobility[i] != Mobility::free) continue;
-    const Vec2 peculiar = synchronised_velocity(system, evaluation, i) - system.box.flow_velocity(state.position[i]);
+    const Vec2 peculiar =
+        synchronised_velocity(system, evaluation, i) - system.box.flow_velocity(state.position[i]);
     const double spin = synchronised_spin(system, evaluation, i);
     acceleration.add_outer(1, evaluation.force[i], state.position[i] - centre);
     otsuki.add_outer(-state.mass[i], peculiar, peculiar);

@@ -8,7 +8,8 @@ Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
   for (int i = 0; i < s.size(); ++i) {
     const Vec2 v = synchronised_velocity(system, evaluation, i);
     sum.linear += s.mass[i] * v;
-    sum.angular += s.mass[i] * cross(s.position[i], v) + s.inertia[i] * synchronised_spin(system, evaluation, i);
+    sum.angular +=
+        s.mass[i] * cross(s.position[i], v) + s.inertia[i] * synchronised_spin(system, evaluation, i);
   }
   return sum;
 }

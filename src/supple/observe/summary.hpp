@@ -5,7 +5,8 @@
 
 namespace supple {
 
-/// Velocity and spin of site i at the instant of the forces. A leapfrog keeps them half a step earlier (System::lag).
+/// Velocity and spin of site i at the instant of the forces. A leapfrog keeps them half a step earlier
+/// (System::lag).
 inline Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
   const State<2>& s = system.state;
   if (s.mobility[i] != Mobility::free) return s.velocity[i];
@@ -22,8 +23,8 @@ struct Momenta {
 };
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// Kinetic energies of the free sites: of translation, of translation relative to the affine flow, and of spin
-/// [energy]; plate discs are moved from outside, but spin.
+/// Kinetic energies of the free sites: of translation, of translation relative to the affine flow, and of
+/// spin [energy]; plate discs are moved from outside, but spin.
 struct KineticEnergy {
   double translation = 0, peculiar = 0, spin = 0;
   double total() const { return translation + spin; }

@@ -13,7 +13,8 @@ namespace supple {
 
 namespace {
 
-// Sites of rigid bodies are kicked and moved like all others, for a loop without exceptions: place_sites comes last.
+// Sites of rigid bodies are kicked and moved like all others, for a loop without exceptions: place_sites
+// comes last.
 
 void kick(System<2>& system, const std::vector<Vec2>& force, double time) {
   State<2>& s = system.state;
@@ -51,7 +52,8 @@ void drift(System<2>& system, double time) {
   for (int i = 0; i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1]))
       throw numerics_error(fmt::format("site {} is not finite at step {}", i, system.step + 1),
-                           "the time step may be too large or bodies may overlap too much", "reduce the time step");
+                           "the time step may be too large or bodies may overlap too much",
+                           "reduce the time step");
 }
 
 void damp(System<2>& system, double factor) {
@@ -62,7 +64,9 @@ void damp(System<2>& system, double factor) {
 
 }  // namespace
 
-BodyDynamics::BodyDynamics(ForceField forces, double damping) : forces_(std::move(forces)) { set_damping(damping); }
+BodyDynamics::BodyDynamics(ForceField forces, double damping) : forces_(std::move(forces)) {
+  set_damping(damping);
+}
 
 void BodyDynamics::set_damping(double rate) {
   if (!(rate >= 0))
@@ -76,7 +80,8 @@ void BodyDynamics::set_plasticity(const std::optional<PlasticLaw>& law) {
 }
 
 const Evaluation<2>& BodyDynamics::evaluate(System<2>& system, Detail detail) {
-  if (!current_ || (detail == Detail::energies && detail_ != detail)) forces_.evaluate(system, detail, evaluation_);
+  if (!current_ || (detail == Detail::energies && detail_ != detail))
+    forces_.evaluate(system, detail, evaluation_);
   detail_ = current_ ? std::max(detail, detail_) : detail;
   current_ = true;
   return evaluation_;
@@ -124,7 +129,8 @@ Vec2 momentum(const System<2>& system) {
 
 namespace {
 
-/// Largest eigenvalue, or more, of |A| for a symmetric matrix: max_i (|A| x)_i / x_i for any x > 0 [Collatz 1942].
+/// Largest eigenvalue, or more, of |A| for a symmetric matrix: max_i (|A| x)_i / x_i for any x > 0 [Collatz
+/// 1942].
 double eigenvalue_bound(std::vector<MatrixEntry> entries, int size) {
   const auto place = [](const MatrixEntry& e) { return std::pair{e.row(), e.col()}; };
   std::stable_sort(entries.begin(), entries.end(),
@@ -163,7 +169,8 @@ double further_contacts(const System<2>& system, const ForceField& forces) {
     const double sigma = 2 * system.state.radius[i];
     double spring = forces.bodies() ? 6 * forces.bodies()->law().spring(sigma) : 0;
     if (const auto& walls = forces.walls())
-      spring += walls->repulsion.spring(sigma) * std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);
+      spring += walls->repulsion.spring(sigma) *
+                std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);
     largest = std::max(largest, spring / system.state.mass[i]);
   }
   return largest;

@@ -64,15 +64,19 @@ double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
     most = std::max(most, 2 * k.facet + 6 * k.hinge / (l * l) + k.tension / l);
   }
   if (contacts && !system.state.radius.empty())
-    most = std::max(
-        most, contacts->law().spring(2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
+    most = std::max(most, contacts->law().spring(
+                              2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
   return most;
 }
 
 }  // namespace
 
 BodyObjective::BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance)
-    : system_(system), field_(field), degrees_(system), tolerance_(tolerance), tolerance_now_(tolerance.least),
+    : system_(system),
+      field_(field),
+      degrees_(system),
+      tolerance_(tolerance),
+      tolerance_now_(tolerance.least),
       stiffness_(vertex_stiffness(system, field.bodies())) {
   const std::vector<double>& radius = system.state.radius;
   largest_move_ = radius.empty() ? 1 : 0.2 * *std::min_element(radius.begin(), radius.end());

@@ -6,14 +6,15 @@
 
 namespace supple {
 
-/// When a packing is in equilibrium: the largest net force on a degree of freedom is below relative * (mean contact
-/// force), or below least [force], which serves where nothing touches; never less than what the last digits of the
-/// positions make.
+/// When a packing is in equilibrium: the largest net force on a degree of freedom is below relative * (mean
+/// contact force), or below least [force], which serves where nothing touches; never less than what the last
+/// digits of the positions make.
 struct ForceTolerance {
   double relative = 1e-6, least = 1e-13;
 };
 
-/// U of (System, ForceField) over the free sites and rigid bodies of the system, in a cell that stays as it is.
+/// U of (System, ForceField) over the free sites and rigid bodies of the system, in a cell that stays as it
+/// is.
 class BodyObjective final : public Objective {
  public:
   BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance);
@@ -26,7 +27,9 @@ class BodyObjective final : public Objective {
   void evaluate_slope(std::span<const double> x, std::span<double> slope) override {
     evaluate(x, slope, Detail::forces);
   }
-  void hessian(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::exact, lower); }
+  void hessian(std::span<const double> x, SparseMatrix& lower) override {
+    assemble(x, HessianKind::exact, lower);
+  }
   void preconditioner(std::span<const double> x, SparseMatrix& lower) override {
     assemble(x, HessianKind::sparse, lower);
   }
@@ -55,7 +58,8 @@ class BodyObjective final : public Objective {
   int until_refresh_ = 0;
 };
 
-/// Largest net force of these forces on the sites: on a free site, or on a rigid body along one of its numbers.
+/// Largest net force of these forces on the sites: on a free site, or on a rigid body along one of its
+/// numbers.
 double largest_net_force(const System<2>& system, const std::vector<Vec2>& force);
 
 /// Mean magnitude of the forces of the contacts, 0 where nothing touches.

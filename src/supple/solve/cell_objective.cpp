@@ -5,8 +5,8 @@
 
 namespace supple {
 
-CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,
-                             double pressure, double shear_stress)
+CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance,
+                             CellFreedom freedom, double pressure, double shear_stress)
     : system_(system),
       field_(field),
       bodies_(system, field, tolerance),

@@ -9,11 +9,11 @@ struct CellFreedom {
   bool size = true, shear = false;
 };
 
-/// The enthalpy H = U + P A + (shear stress) A0 (strain) of a periodic cell of area A under a wanted pressure P and
-/// shear stress -Sigma_xy, both outside. Numbers: those of BodyDegrees in the cell as it was at construction, whose
-/// bodies move with the strain of the cell by their centres, without deforming; then ln(size) and shear strain, each
-/// times the first length of the cell, so that they are lengths too. At a minimum the net forces vanish, P is the
-/// virial pressure, and so is the shear stress.
+/// The enthalpy H = U + P A + (shear stress) A0 (strain) of a periodic cell of area A under a wanted pressure
+/// P and shear stress -Sigma_xy, both outside. Numbers: those of BodyDegrees in the cell as it was at
+/// construction, whose bodies move with the strain of the cell by their centres, without deforming; then
+/// ln(size) and shear strain, each times the first length of the cell, so that they are lengths too. At a
+/// minimum the net forces vanish, P is the virial pressure, and so is the shear stress.
 class CellObjective final : public Objective {
  public:
   CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,
@@ -22,9 +22,11 @@ class CellObjective final : public Objective {
   std::vector<double> coordinates() const;
   int size() const override { return bodies_.size() + extra(); }
   double evaluate(std::span<const double> x, std::span<double> slope) override;
-  /// Of the bodies by their own second derivatives, as in the cell at construction; of the cell by central differences
-  /// of the slope.
-  void hessian(std::span<const double> x, SparseMatrix& lower) override { assemble(x, HessianKind::exact, lower); }
+  /// Of the bodies by their own second derivatives, as in the cell at construction; of the cell by central
+  /// differences of the slope.
+  void hessian(std::span<const double> x, SparseMatrix& lower) override {
+    assemble(x, HessianKind::exact, lower);
+  }
   void preconditioner(std::span<const double> x, SparseMatrix& lower) override {
     assemble(x, HessianKind::sparse, lower);
   }

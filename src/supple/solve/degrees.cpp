@@ -77,7 +77,8 @@ void BodyDegrees::write(std::span<const double> q, System<2>& system) const {
   place_sites(system);
 }
 
-void BodyDegrees::gradient(const System<2>& system, const std::vector<Vec2>& force, std::span<double> g) const {
+void BodyDegrees::gradient(const System<2>& system, const std::vector<Vec2>& force,
+                           std::span<double> g) const {
   double* at = g.data();
   for (const std::int32_t i : sites_)
     for (int d = 0; d < 2; ++d) *at++ = -force[i][d];
@@ -113,8 +114,8 @@ void copy_blocks(const HessianBlocks<2>& blocks, std::vector<MatrixEntry>& entri
 
 }  // namespace
 
-void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& blocks, const std::vector<Vec2>& force,
-                          std::vector<MatrixEntry>& entries) const {
+void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& blocks,
+                          const std::vector<Vec2>& force, std::vector<MatrixEntry>& entries) const {
   entries.clear();
   entries.reserve(4 * blocks.size());
   if (plain_) return copy_blocks(blocks, entries);

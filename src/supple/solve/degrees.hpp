@@ -9,10 +9,12 @@
 
 namespace supple {
 
-/// One entry of a symmetric matrix, row >= column. Entries of the same place add up. Fits Eigen's setFromTriplets.
+/// One entry of a symmetric matrix, row >= column. Entries of the same place add up. Fits Eigen's
+/// setFromTriplets.
 class MatrixEntry {
  public:
-  MatrixEntry(std::int32_t row, std::int32_t column, double value) : row_(row), column_(column), value_(value) {}
+  MatrixEntry(std::int32_t row, std::int32_t column, double value)
+      : row_(row), column_(column), value_(value) {}
   std::int32_t row() const { return row_; }
   std::int32_t col() const { return column_; }
   double value() const { return value_; }
@@ -22,10 +24,10 @@ class MatrixEntry {
   double value_;
 };
 
-/// Numbers q [length] <-> system. First x, y of every free site that is in no rigid body, in the order of sites; then
-/// x, y of the centre and angle times radius of gyration of every rigid body that is not held. Nothing else moves.
-/// Which sites these are is taken from the system given at construction. Where all sites are free and none is rigid, q
-/// are the positions, copied.
+/// Numbers q [length] <-> system. First x, y of every free site that is in no rigid body, in the order of
+/// sites; then x, y of the centre and angle times radius of gyration of every rigid body that is not held.
+/// Nothing else moves. Which sites these are is taken from the system given at construction. Where all sites
+/// are free and none is rigid, q are the positions, copied.
 class BodyDegrees {
  public:
   explicit BodyDegrees(const System<2>& system);
@@ -40,8 +42,8 @@ class BodyDegrees {
   void write(std::span<const double> q, System<2>& system) const;
   /// g = dU/dq = -generalised force, of forces on the sites (Evaluation::force).
   void gradient(const System<2>& system, const std::vector<Vec2>& force, std::span<double> g) const;
-  /// d2U/dq2 = J^T H J + sum over sites of dU/dx d2x/dq2, J = dx/dq: lower triangle, of second derivatives by the sites
-  /// and of the forces at the same positions.
+  /// d2U/dq2 = J^T H J + sum over sites of dU/dx d2x/dq2, J = dx/dq: lower triangle, of second derivatives by
+  /// the sites and of the forces at the same positions.
   std::vector<MatrixEntry> hessian(const System<2>& system, const HessianBlocks<2>& blocks,
                                    const std::vector<Vec2>& force) const {
     std::vector<MatrixEntry> entries;

@@ -28,8 +28,7 @@ bool Descent::look() {
 void Descent::count_iteration() {
   ++report.iterations;
   if (!callback || report.iterations % callback_interval != 0) return;
-  if (!callback(report) && report.residual > report.tolerance) 
-    stop(Ending::stopped, "stopped by the caller");
+  if (!callback(report) && report.residual > report.tolerance) stop(Ending::stopped, "stopped by the caller");
 }
 
 bool Descent::finished() {

@@ -49,8 +49,9 @@ void drift(System<2>& system, double dt) {
   if (finite == 0) return;
   for (int i = 0; i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
-      throw numerics_error("disc " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
-                           "the time step may be too large or the law too stiff", "reduce [time] step");
+      throw numerics_error(
+          "disc " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
+          "the time step may be too large or the law too stiff", "reduce [time] step");
 }
 
 }  // namespace
@@ -76,8 +77,8 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
   for (int i = 0; i < s.size(); ++i) {
     if (s.mobility[i] != Mobility::free) continue;
     if (box.periodic[gradient] && touches(i, gradient))
-      s.mobility[i] =
-          s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate : Mobility::lower_plate;
+      s.mobility[i] = s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate
+                                                                           : Mobility::lower_plate;
     for (int d = 0; d < 2; ++d)
       if (!box.periodic[d] && touches(i, d)) s.mobility[i] = Mobility::fixed;
   }

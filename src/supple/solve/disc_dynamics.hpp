@@ -6,7 +6,8 @@
 
 namespace supple {
 
-/// Leapfrog of any step: positions and forces at t, velocities half a step earlier (System::lag; 0: the same instant).
+/// Leapfrog of any step: positions and forces at t, velocities half a step earlier (System::lag; 0: the same
+/// instant).
 ///     v(t + dt/2) = v(t - lag/2) + (lag + dt)/2 F(t)/m,    x(t + dt) = x(t) + dt v(t + dt/2)
 /// Second order, one evaluation a step, and the state alone gives the next step bit for bit.
 class DiscDynamics : public Stepper {
@@ -37,10 +38,12 @@ class DiscDynamics : public Stepper {
   EnergyBalance* account_ = nullptr;
 };
 
-/// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -= change/2.
+/// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -=
+/// change/2.
 void set_strain_rate(System<2>& system, double rate);
 
-/// With capturing plates: free discs that touch a plate join it; where the cell is not periodic they are fixed instead.
+/// With capturing plates: free discs that touch a plate join it; where the cell is not periodic they are
+/// fixed instead.
 void capture_at_boundaries(System<2>& system, Plates plates);
 
 }  // namespace supple

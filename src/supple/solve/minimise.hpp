@@ -16,10 +16,10 @@ Minimiser minimiser_named(std::string_view name);
 struct MinimiseSpec {
   Minimiser method = Minimiser::automatic;
   long max_evaluations = 1'000'000;  ///< and factorisations
-  double handover = 100;         ///< automatic: FIRE until the residual is this many tolerances ...
-  long fire_iterations = 3000;   ///< ... or for so many iterations
-  long callback_interval = 100;  ///< iterations
-  StopRequest stop_requested;    ///< none: it cannot be interrupted
+  double handover = 100;             ///< automatic: FIRE until the residual is this many tolerances ...
+  long fire_iterations = 3000;       ///< ... or for so many iterations
+  long callback_interval = 100;      ///< iterations
+  StopRequest stop_requested;        ///< none: it cannot be interrupted
   FireSpec fire;
   NewtonSpec newton;
 };

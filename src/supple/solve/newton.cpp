@@ -9,7 +9,7 @@ namespace supple {
 namespace {
 
 constexpr double least_shift =
-    1e-11;                 // of the largest diagonal element: above the rounding of the factorisation
+    1e-11;  // of the largest diagonal element: above the rounding of the factorisation
 constexpr double smallest_shift = 1e-290;  // or doubling would stay at 0
 constexpr int window = 15;  // iterations over which the present rate of convergence is measured
 
@@ -91,7 +91,8 @@ bool Newton::is_stale(double residual) {
   if (spec_.memory == 0) return true;
   const double n = static_cast<double>(direction_.size());
   const double iteration = factorisation_.solve_work() + 4 * n * spec_.memory + 20 * n;
-  // A new matrix must also be assembled, ordered and analysed, and the memory is lost with the old one: by measurement.
+  // A new matrix must also be assembled, ordered and analysed, and the memory is lost with the old one: by
+  // measurement.
   const double price = (4 * factorisation_.factorise_work() + 3000 * n) / iteration;  // in iterations
   if (done < window) return false;
   const double gain = std::log(history_.front() / history_.back());

@@ -23,7 +23,8 @@ class Objective {
   /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
   /// contacts come and go; rows may be empty.
   virtual void hessian(std::span<const double> x, SparseMatrix& lower) = 0;
-  /// A matrix near the Hessian, in the same form, that is faster to factorise; the Hessian itself unless overridden.
+  /// A matrix near the Hessian, in the same form, that is faster to factorise; the Hessian itself unless
+  /// overridden.
   virtual void preconditioner(std::span<const double> x, SparseMatrix& lower) { hessian(x, lower); }
   /// What must become small; the largest |component| of the gradient unless overridden, e.g. by the largest
   /// net force on a site.

@@ -92,8 +92,8 @@ void gather(ForceBatch& b, int begin, int count, const System<2>& system, const 
 
 /// visit(c, image) for each row of a batch that keeps an image of its own: links, while there are long ones.
 template <class Visit>
-void for_kept_images(const PairTable& pairs, int begin, int count, const Lanes<2>& separation, const Images& images,
-                     const Visit& visit) {
+void for_kept_images(const PairTable& pairs, int begin, int count, const Lanes<2>& separation,
+                     const Images& images, const Visit& visit) {
   if (pairs.image.empty()) return;
   for (int c = 0; c < count; ++c)
     if (const RowImage& row = pairs.image[begin + c]; row.kept)
@@ -213,7 +213,8 @@ void gather(MoveBatch& b, int begin, int count, double dt, const System<2>& syst
 }
 
 /// Elongation as the second disc sees it, which is moved after the first.
-[[gnu::always_inline]] inline double elongation_back(const MoveBatch& b, int c, const Image& image, double jump) {
+[[gnu::always_inline]] inline double elongation_back(const MoveBatch& b, int c, const Image& image,
+                                                     double jump) {
   const double v_x = b.velocity[c][0] - image.up * jump;
   return b.time[c] * sliding_speed(image.n_x, image.n_y, v_x, b.velocity[c][1], b.rolling[c]);
 }
@@ -273,8 +274,8 @@ void ParticleShearContacts::elongate(System<2>& system, const Evaluation<2>& eva
   MoveBatch batch;
   for_batches(pairs.size(), [&](int begin, int count) {
     gather(batch, begin, count, dt, system, evaluation, rim_.data());
-    add_elongation(batch, begin, count, &evaluation.trial_history[2 * begin], &pairs.history[2 * begin], pairs,
-                   images);
+    add_elongation(batch, begin, count, &evaluation.trial_history[2 * begin], &pairs.history[2 * begin],
+                   pairs, images);
   });
   std::copy(evaluation.trial_state.begin(), evaluation.trial_state.end(), pairs.state.begin());
 }

@@ -48,7 +48,8 @@ void flow_angles(System<2>& system, int b, double yield, double dt_per_time) {
 }  // namespace
 
 void check(const PlasticLaw& law) {
-  if (!(law.time > 0)) throw input_error(fmt::format("a plastic time of {}", law.time), "it must be positive");
+  if (!(law.time > 0))
+    throw input_error(fmt::format("a plastic time of {}", law.time), "it must be positive");
   for (const double yield : {law.length_yield, law.area_yield})
     if (!(yield >= 0 && (yield < 1 || std::isinf(yield))))
       throw input_error(fmt::format("a yield strain of {}", yield), "nothing can be compressed that far",
@@ -67,12 +68,13 @@ void advance(System<2>& system, const PlasticLaw& law, double dt) {
     const ShapeStiffness& k = shape.stiffness[b];
     if (k.facet != 0 && std::isfinite(law.length_yield))
       for (int f = t.facet_begin[b]; f < t.facet_begin[b + 1]; ++f) {
-        const double length = norm(system.state.position[t.facet[f][1]] - system.state.position[t.facet[f][0]]);
+        const double length =
+            norm(system.state.position[t.facet[f][1]] - system.state.position[t.facet[f][0]]);
         shape.rest_facet[f] = flowed(shape.rest_facet[f], length, law.length_yield, dt_per_time);
       }
     if (k.volume != 0 && std::isfinite(law.area_yield))
-      shape.rest_volume[b] =
-          flowed(shape.rest_volume[b], area_of(system.state, t.begin[b], t.begin[b + 1]), law.area_yield, dt_per_time);
+      shape.rest_volume[b] = flowed(shape.rest_volume[b], area_of(system.state, t.begin[b], t.begin[b + 1]),
+                                    law.area_yield, dt_per_time);
     if (k.hinge != 0 && std::isfinite(law.angle_yield)) flow_angles(system, b, law.angle_yield, dt_per_time);
   }
 }

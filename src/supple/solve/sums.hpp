@@ -54,7 +54,8 @@ inline double largest_square_of_pairs(std::span<const double> a) {
   std::size_t i = 0;
   for (; i + 8 <= a.size(); i += 8) {
     Lanes::load(&a[i], e);
-    const Lanes::Eight square = e * e, both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2, 5, 4, 7, 6);
+    const Lanes::Eight square = e * e,
+                       both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2, 5, 4, 7, 6);
     lanes.value = both > lanes.value ? both : lanes.value;
   }
   double result = 0;

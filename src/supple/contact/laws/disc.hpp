@@ -1,12 +1,13 @@
-/// The contact law of microgel discs: elastic, viscous and tangential parts, for contacts and permanent links.
+/// The contact law of microgel discs: elastic, viscous and tangential parts, for contacts and permanent
+/// links.
 #pragma once
 #include "supple/contact/laws/elastic.hpp"
 #include "supple/contact/laws/friction.hpp"
 
 namespace supple {
 
-/// Arms of the tangential speed: the shares d r_i/(r_i + r_j) that the torques have (work closes, a rigid rotation
-/// winds nothing up), or the radii, as in the published package.
+/// Arms of the tangential speed: the shares d r_i/(r_i + r_j) that the torques have (work closes, a rigid
+/// rotation winds nothing up), or the radii, as in the published package.
 enum class LeverArm { distance, radius };
 
 /// Stiffness [force/length] and viscosity [force/speed] of one kind of pair, central and tangential.
@@ -36,8 +37,8 @@ struct DiscResponse {
 
 /// A touching pair (d < d0): repulsion, viscosity, Coulomb friction with limit mu F_el. `slip`: of law.slip.
 template <class Repulsion>
-DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const SlipRule& slip, const PairMotion& m,
-                             double u, double dt) {
+DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const SlipRule& slip,
+                             const PairMotion& m, double u, double dt) {
   const PairStiffness& s = law.contact;
   const double elastic = repulsion.force(m.d, m.d0, s.k);
   return {elastic, -s.eta * m.v_n,
@@ -45,13 +46,15 @@ DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, con
 }
 
 template <class Repulsion>
-DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u,
+                             double dt) {
   return respond_contact(repulsion, law, SlipRule(law.slip, law.contact.k_t), m, u, dt);
 }
 
 /// A permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb limit.
 template <class Repulsion>
-DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u, double dt) {
+DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u,
+                          double dt) {
   const PairStiffness& s = law.link;
   const double elastic = m.d < m.d0 ? repulsion.force(m.d, m.d0, s.k) : law.tension.force(m.d, m.d0, s.k);
   return {elastic, -s.eta * m.v_n, bonded(u, m.v_t, dt, s.k_t, s.eta_t)};

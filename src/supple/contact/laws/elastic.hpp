@@ -1,14 +1,14 @@
-/// Elastic repulsion of two discs: force and energy as functions of the centre distance d < d0, d0 = r_i + r_j.
-/// Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force = -d(energy)/dd,
-/// both zero at d0; k [force/length]. Figure S1-3 compares them.
+/// Elastic repulsion of two discs: force and energy as functions of the centre distance d < d0, d0 = r_i +
+/// r_j. Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force =
+/// -d(energy)/dd, both zero at d0; k [force/length]. Figure S1-3 compares them.
 #pragma once
 #include <cmath>
 #include <string_view>
 
 namespace supple {
 
-/// Linear to divergent (S1-5a, S1-5b, S1-6): F = k [ (1-c) delta + c delta d0/d ], delta = d0 - d, at most 1000 k d0.
-/// c = 1: divergent at d = 0 (default); c = 0: linear.
+/// Linear to divergent (S1-5a, S1-5b, S1-6): F = k [ (1-c) delta + c delta d0/d ], delta = d0 - d, at most
+/// 1000 k d0. c = 1: divergent at d = 0 (default); c = 0: linear.
 class Divergent {
  public:
   static constexpr std::string_view name = "divergent";
@@ -39,8 +39,8 @@ class Divergent {
   double c_, x_cap_;
 };
 
-/// Hertz-like (S1-13, the 3D average with Z = 10.7): F = Z sqrt(2)/(8 sqrt(3)) E R^-1/2 delta^1.5 per metre of depth,
-/// R = d0/2 and E = 8 k/pi (S1-8).
+/// Hertz-like (S1-13, the 3D average with Z = 10.7): F = Z sqrt(2)/(8 sqrt(3)) E R^-1/2 delta^1.5 per metre
+/// of depth, R = d0/2 and E = 8 k/pi (S1-8).
 class Hertz {
  public:
   static constexpr std::string_view name = "hertz";
@@ -67,7 +67,11 @@ class Plateau {
  public:
   static constexpr std::string_view name = "plateau";
   Plateau(double c, double begin, double end, double slope)
-      : law_(c), begin_(begin), end_(end), slope_(slope), inner_slope_((end + (begin - end) * slope) / begin) {}
+      : law_(c),
+        begin_(begin),
+        end_(end),
+        slope_(slope),
+        inner_slope_((end + (begin - end) * slope) / begin) {}
 
   double force(double d, double d0, double k) const { return law_.force(mapped(d, d0), d0, k); }
   /// Integral of the force over d, not over d': each branch is divided by its slope d(d')/dd.
@@ -90,8 +94,8 @@ class Plateau {
 };
 
 /// Attraction of a stretched link, d > d0, as repulsion of negative sign. Linear: k (d - d0).
-/// Exponential: k a d0 (exp((d - d0)/(a d0)) - 1), stiffening. Saturating: k a d0 (1 - exp(-(d - d0)/(a d0))), the
-/// published package's "exponential". a: `range`; all have slope k at d0.
+/// Exponential: k a d0 (exp((d - d0)/(a d0)) - 1), stiffening. Saturating: k a d0 (1 - exp(-(d - d0)/(a
+/// d0))), the published package's "exponential". a: `range`; all have slope k at d0.
 class Tensile {
  public:
   enum class Kind { linear, exponential, saturating };

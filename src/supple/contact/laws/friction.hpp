@@ -1,4 +1,5 @@
-/// Tangential spring and dashpot with a Coulomb limit [Otsuki & Hayakawa 2017, eqs 4-6; Cundall & Strack 1979].
+/// Tangential spring and dashpot with a Coulomb limit [Otsuki & Hayakawa 2017, eqs 4-6; Cundall & Strack
+/// 1979].
 #pragma once
 #include <cmath>
 
@@ -6,8 +7,8 @@
 
 namespace supple {
 
-/// What the spring does while the contact slips: held so that |k_t u + eta_t v_t| = limit (Cundall-Strack); not
-/// integrated (Otsuki & Hayakawa); or set to zero (published package).
+/// What the spring does while the contact slips: held so that |k_t u + eta_t v_t| = limit (Cundall-Strack);
+/// not integrated (Otsuki & Hayakawa); or set to zero (published package).
 enum class Slip { clamp, freeze, reset };
 
 /// The same as two numbers, once for all pairs, so that loops over contacts need no branch:

@@ -28,20 +28,23 @@ void check_law(const RepulsionFunction& law, double c, const std::string& what) 
                       to_do);
   };
   if (const double at_contact = law(1, 1, 1, c); !(std::abs(at_contact) <= 1e-9))
-    fail(fmt::format("is {:.4g} k d0 at contact, d = d0", at_contact), "make it zero there, e.g. a factor (d0 - d)");
+    fail(fmt::format("is {:.4g} k d0 at contact, d = d0", at_contact),
+         "make it zero there, e.g. a factor (d0 - d)");
   for (int i = 1; i <= 4000; ++i) {
     const double x = i <= 2000 ? std::exp2(-14.0 * (2000 - i) / 2000 - 1) : 0.5 + 0.5 * (i - 2000) / 2000.0;
     const double f = law(x, 1, 1, c);
     if (!std::isfinite(f))
       fail(fmt::format("is not finite at d = {:.4g} d0", x), "look for a division by zero or a root");
-    if (f < -1e-12) fail(fmt::format("attracts at d = {:.4g} d0 (F = {:.4g} k d0)", x, f),
-                         "repulsion is positive: turn the sign");
+    if (f < -1e-12)
+      fail(fmt::format("attracts at d = {:.4g} d0 (F = {:.4g} k d0)", x, f),
+           "repulsion is positive: turn the sign");
     if (f > strongest * (1 + 1e-9))
       fail(fmt::format("diverges: {:.4g} k d0 at d = {:.4g} d0", f, x), "cap it, e.g. min(..., 1000*k*d0)");
     if (std::abs(law(x, 1, 3, c) - 3 * f) > 1e-9 * (1 + 3 * f))
       fail("is not proportional to k", "multiply a function of d/d0 by k*d0");
     if (std::abs(law(2.5 * x, 2.5, 1, c) - 2.5 * f) > 1e-9 * (1 + 2.5 * f))
-      fail("has a length of its own: F(2.5 d, 2.5 d0) is not 2.5 F(d, d0)", "multiply a function of d/d0 by k*d0");
+      fail("has a length of its own: F(2.5 d, 2.5 d0) is not 2.5 F(d, d0)",
+           "multiply a function of d/d0 by k*d0");
   }
 }
 
@@ -80,7 +83,8 @@ void Tabulated::build(const std::function<double(double)>& g, int bits) {
     (*cells)[i] = {x0, g0, b, c, d, energy};
     for (double s : {0.2, 0.4, 0.6, 0.8}) {
       const double t = s * w, exact = g(x0 + t);
-      error_bound_ = std::max(error_bound_, std::abs(g0 + t * (b + t * (c + t * d)) - exact) / std::max(1.0, exact));
+      error_bound_ =
+          std::max(error_bound_, std::abs(g0 + t * (b + t * (c + t * d)) - exact) / std::max(1.0, exact));
     }
   }
   cells_ = std::move(cells);

@@ -1,4 +1,5 @@
-/// A repulsion law given by the user as a formula or a function, tabulated so that it costs no more than a built-in.
+/// A repulsion law given by the user as a formula or a function, tabulated so that it costs no more than a
+/// built-in.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -13,15 +14,15 @@ namespace supple {
 /// Force [force] of two discs at distance d <= d0, positive: repulsion; k [force/length] and c of the case.
 using RepulsionFunction = std::function<double(double d, double d0, double k, double c)>;
 
-/// F = k d0 g(d/d0), g as C1 piecewise cubics (a Hermite spline) on cells whose width halves from octave to octave
-/// toward d = 0, so that steep cores are resolved; constant below d0/4096. The energy is the exact integral of the
-/// spline.
+/// F = k d0 g(d/d0), g as C1 piecewise cubics (a Hermite spline) on cells whose width halves from octave to
+/// octave toward d = 0, so that steep cores are resolved; constant below d0/4096. The energy is the exact
+/// integral of the spline.
 class Tabulated {
  public:
   static constexpr std::string_view name = "expression";
 
-  /// Throws an input error that names `what` unless, over (0, d0], the law is finite, repulsive or zero, zero at d0,
-  /// below 1000 k d0, proportional to k, and homogeneous: F(s d, s d0) = s F(d, d0).
+  /// Throws an input error that names `what` unless, over (0, d0], the law is finite, repulsive or zero, zero
+  /// at d0, below 1000 k d0, proportional to k, and homogeneous: F(s d, s d0) = s F(d, d0).
   Tabulated(const RepulsionFunction& law, double c, const std::string& what);
 
   double force(double d, double d0, double k) const {

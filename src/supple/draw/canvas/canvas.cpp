@@ -1,0 +1,294 @@
+#include "supple/draw/canvas/canvas.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo-ps.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <jpeglib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "supple/core/error.hpp"
+#include "supple/core/new_file.hpp"
+#include "supple/draw/canvas/superscript.hpp"
+
+namespace supple {
+
+namespace {
+
+/// Metric twin of Helvetica and Arial, which journals ask for; fontconfig replaces it where it is missing.
+constexpr const char* font_family = "Liberation Sans";
+
+cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+bool is_raster(PictureFormat format) { return format == PictureFormat::png || format == PictureFormat::jpg; }
+
+/// Even, because video encoders refuse frames of odd size.
+int even_pixels(double points, double scale) { return 2 * static_cast<int>(std::ceil(points * scale / 2)); }
+
+[[noreturn]] void fail_jpeg(j_common_ptr info) {
+  char reason[JMSG_LENGTH_MAX];
+  info->err->format_message(info, reason);
+  throw file_error("cannot encode the picture as JPEG", reason);
+}
+
+/// Bytes of a JPEG file from the pixels (BGRx) of a Cairo image surface.
+std::string encode_jpeg(cairo_surface_t* image) {
+  jpeg_compress_struct job{};
+  jpeg_error_mgr errors;
+  job.err = jpeg_std_error(&errors);
+  errors.error_exit = fail_jpeg;
+  struct Output {
+    unsigned char* data = nullptr;
+    unsigned long size = 0;
+    ~Output() { std::free(data); }
+  } out;
+  struct Release {
+    jpeg_compress_struct& job;
+    ~Release() { jpeg_destroy_compress(&job); }
+  } release{job};
+
+  jpeg_create_compress(&job);
+  jpeg_mem_dest(&job, &out.data, &out.size);
+  job.image_width = static_cast<JDIMENSION>(cairo_image_surface_get_width(image));
+  job.image_height = static_cast<JDIMENSION>(cairo_image_surface_get_height(image));
+  job.input_components = 3;
+  job.in_color_space = JCS_RGB;
+  jpeg_set_defaults(&job);
+  jpeg_set_quality(&job, 92, TRUE);
+  jpeg_start_compress(&job, TRUE);
+
+  const unsigned char* pixels = cairo_image_surface_get_data(image);
+  const int stride = cairo_image_surface_get_stride(image);
+  std::vector<JSAMPLE> row(3 * job.image_width);
+  while (job.next_scanline < job.image_height) {
+    const unsigned char* line = pixels + static_cast<std::ptrdiff_t>(job.next_scanline) * stride;
+    for (JDIMENSION x = 0; x < job.image_width; ++x)
+      for (int channel = 0; channel < 3; ++channel) row[3 * x + channel] = line[4 * x + 2 - channel];
+    JSAMPROW rows[] = {row.data()};
+    jpeg_write_scanlines(&job, rows, 1);
+  }
+  jpeg_finish_compress(&job);
+  return {reinterpret_cast<const char*>(out.data), out.size};
+}
+
+}  // namespace
+
+namespace {
+
+/// Of the header of PostScript, so that the same picture has the same bytes.
+void remove_date(std::string& bytes) {
+  const std::size_t begin = bytes.find("\n%%CreationDate:");
+  if (begin != std::string::npos) bytes.erase(begin, bytes.find('\n', begin + 1) - begin);
+}
+
+}  // namespace
+
+PictureFormat picture_format(const std::string& path) {
+  if (path == standard_output) return PictureFormat::png;
+  const std::size_t dot = path.find_last_of("./");
+  std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot + 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (ending == "png") return PictureFormat::png;
+  if (ending == "jpg" || ending == "jpeg") return PictureFormat::jpg;
+  if (ending == "svg") return PictureFormat::svg;
+  if (ending == "pdf") return PictureFormat::pdf;
+  if (ending == "ps") return PictureFormat::ps;
+  throw input_error("unknown picture format of '" + path + "'",
+                    ending.empty() ? "the name has no ending" : "the ending is '." + ending + "'",
+                    "end the name in .png, .jpg, .svg, .pdf or .ps");
+}
+
+struct Canvas::Surface {
+  PictureFormat format;
+  std::string bytes;
+  cairo_surface_t* surface = nullptr;
+  cairo_t* context = nullptr;
+
+  Surface(PictureFormat f, double width, double height, double scale) : format(f) {
+    switch (format) {
+      case PictureFormat::svg:
+        surface = cairo_svg_surface_create_for_stream(append_bytes, &bytes, width, height);
+        break;
+      case PictureFormat::pdf:
+        surface = cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width, height);
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
+                                       "");  // the same bytes each time
+        break;
+      case PictureFormat::ps:
+        surface = cairo_ps_surface_create_for_stream(append_bytes, &bytes, width, height);
+        break;
+      default:
+        surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, even_pixels(width, scale),
+                                             even_pixels(height, scale));
+    }
+    context = cairo_create(surface);
+    if (is_raster(format)) cairo_scale(context, scale, scale);
+  }
+  ~Surface() {
+    cairo_destroy(context);
+    cairo_surface_destroy(surface);
+  }
+  void check(const std::string& path) const {
+    const cairo_status_t status = cairo_status(context);
+    if (status != CAIRO_STATUS_SUCCESS)
+      throw file_error("cannot draw '" + path + "'", cairo_status_to_string(status),
+                       "ask for a smaller picture");
+  }
+};
+
+Canvas::Canvas(const std::string& path, double width, double height, double dots_per_inch)
+    : path_(path),
+      width_(width),
+      height_(height),
+      surface_(std::make_unique<Surface>(picture_format(path), width, height, dots_per_inch / 72)) {
+  surface_->check(path_);
+  cairo_set_source_rgb(surface_->context, 1, 1, 1);
+  cairo_paint(surface_->context);
+  cairo_set_line_join(surface_->context, CAIRO_LINE_JOIN_ROUND);
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::stroke_path(const Pen& pen) {
+  cairo_t* c = surface_->context;
+  cairo_set_source_rgb(c, pen.color.red, pen.color.green, pen.color.blue);
+  cairo_set_line_width(c, pen.width);
+  cairo_set_line_cap(c, pen.dash.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
+  cairo_set_dash(c, pen.dash.data(), static_cast<int>(pen.dash.size()), 0);
+  cairo_stroke(c);
+}
+
+void Canvas::paint_path(const Paint& paint) {
+  cairo_t* c = surface_->context;
+  if (paint.fill) {
+    cairo_set_source_rgb(c, paint.fill->red, paint.fill->green, paint.fill->blue);
+    paint.pen ? cairo_fill_preserve(c) : cairo_fill(c);
+  }
+  if (paint.pen) stroke_path(*paint.pen);
+  cairo_new_path(c);
+}
+
+void Canvas::line(Point from, Point to, const Pen& pen) {
+  cairo_move_to(surface_->context, from[0], from[1]);
+  cairo_line_to(surface_->context, to[0], to[1]);
+  stroke_path(pen);
+}
+
+void Canvas::polyline(std::span<const Point> points, const Pen& pen) {
+  bool drawing = false;
+  for (const Point& p : points) {
+    const bool finite = std::isfinite(p[0]) && std::isfinite(p[1]);
+    if (finite) (drawing ? cairo_line_to : cairo_move_to)(surface_->context, p[0], p[1]);
+    drawing = finite;
+  }
+  stroke_path(pen);
+}
+
+void Canvas::polygon(std::span<const Point> points, const Paint& paint) {
+  for (const Point& p : points) cairo_line_to(surface_->context, p[0], p[1]);
+  if (!points.empty()) cairo_close_path(surface_->context);
+  paint_path(paint);
+}
+
+void Canvas::rectangle(Point low, Point high, const Paint& paint) {
+  cairo_rectangle(surface_->context, low[0], low[1], high[0] - low[0], high[1] - low[1]);
+  paint_path(paint);
+}
+
+void Canvas::circle(Point centre, double radius, const Paint& paint) {
+  cairo_new_sub_path(surface_->context);
+  cairo_arc(surface_->context, centre[0], centre[1], radius, 0, 2 * std::numbers::pi);
+  cairo_close_path(surface_->context);
+  paint_path(paint);
+}
+
+namespace {
+void choose_font(cairo_t* c, const TextStyle& style) {
+  cairo_select_font_face(c, font_family, CAIRO_FONT_SLANT_NORMAL,
+                         style.weight == Weight::bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(c, style.size);
+}
+constexpr double raised_size = 0.68, rise = 0.36;  // of the size of the text
+
+double run_width(cairo_t* c, const TextRun& run, TextStyle style) {
+  if (run.raised) style.size *= raised_size;
+  choose_font(c, style);
+  cairo_text_extents_t extents;
+  cairo_text_extents(c, run.text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+}  // namespace
+
+double Canvas::text_width(const std::string& text, const TextStyle& style) const {
+  double width = 0;
+  for (const TextRun& run : text_runs(text)) width += run_width(surface_->context, run, style);
+  return width;
+}
+
+void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
+  cairo_t* c = surface_->context;
+  const double width = text_width(text, style);
+  double x = style.across == Across::left ? 0 : style.across == Across::right ? -width : -width / 2;
+  // By the height of capitals, not by the ink of this word, so that words beside each other share a baseline.
+  const double capital = 0.72 * style.size;
+  const double y = style.down == Down::top      ? capital
+                   : style.down == Down::middle ? capital / 2
+                   : style.down == Down::bottom ? -0.21 * style.size
+                                                : 0;
+  cairo_save(c);
+  cairo_translate(c, at[0], at[1]);
+  if (style.turn == Turn::left) cairo_rotate(c, -std::numbers::pi / 2);
+  cairo_set_source_rgb(c, style.color.red, style.color.green, style.color.blue);
+  for (const TextRun& run : text_runs(text)) {
+    const double advance = run_width(c, run, style);  // chooses the font
+    cairo_move_to(c, x, run.raised ? y - rise * style.size : y);
+    cairo_show_text(c, run.text.c_str());
+    x += advance;
+  }
+  cairo_restore(c);
+  cairo_new_path(c);
+}
+
+void Canvas::clipped(std::span<const Point> polygon, ClipTo side, const std::function<void()>& draw) {
+  cairo_t* c = surface_->context;
+  cairo_save(c);
+  if (side == ClipTo::outside) cairo_rectangle(c, 0, 0, width_, height_);
+  cairo_new_sub_path(c);
+  for (const Point& p : polygon) cairo_line_to(c, p[0], p[1]);
+  cairo_close_path(c);
+  cairo_set_fill_rule(c, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_clip(c);
+  cairo_set_fill_rule(c, CAIRO_FILL_RULE_WINDING);
+  draw();
+  cairo_restore(c);
+}
+
+void Canvas::finish() {
+  cairo_surface_flush(surface_->surface);
+  surface_->check(path_);
+  std::string& bytes = surface_->bytes;
+  if (surface_->format == PictureFormat::jpg) {
+    bytes = encode_jpeg(surface_->surface);
+  } else if (surface_->format == PictureFormat::png) {
+    cairo_surface_write_to_png_stream(surface_->surface, append_bytes, &bytes);
+  } else {
+    cairo_show_page(surface_->context);
+    cairo_surface_finish(surface_->surface);
+  }
+  NewFile file(path_, Existing::replace);
+  if (surface_->format == PictureFormat::ps) remove_date(bytes);
+  file.write(bytes);
+  file.commit();
+}
+
+}  // namespace supple

@@ -1,0 +1,36 @@
+/// One axis of a chart: its range, its ticks, and where a number lies on it.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "supple/draw/chart/chart.hpp"
+
+namespace supple {
+
+struct AxisTick {
+  double at;          ///< SI
+  std::string label;  ///< empty: a small tick
+};
+
+struct AxisScale {
+  double low = 0, high = 1;  ///< SI
+  Spacing spacing = Spacing::linear;
+  std::string title;  ///< label and unit
+  std::vector<AxisTick> ticks;
+
+  /// 0 at low, 1 at high; not finite for what a logarithmic axis cannot show.
+  double share(double value) const;
+  /// Moves the ends outward by these shares of the length.
+  void widen(double below, double above);
+  /// Chooses about `count` ticks, and the unit for the title.
+  void set_ticks(const ChartAxis& axis, int count);
+};
+
+/// The axis over these values (or its own range), without ticks yet. Some length where there is none.
+AxisScale scale_of_axis(const ChartAxis& axis, std::pair<double, double> values);
+
+/// Whether an axis can show this number: finite, and above 0 where it is logarithmic.
+bool can_show(Spacing spacing, double value);
+
+}  // namespace supple

@@ -1,0 +1,28 @@
+/// All frames of a run for other programs.
+#pragma once
+#include <string>
+
+#include "supple/core/new_file.hpp"
+#include "supple/io/export/vtp.hpp"
+#include "supple/io/run/run_file.hpp"
+
+namespace supple {
+
+/// Every frame in one file of extended XYZ (see XyzFile). Throws an input error where the run has no frames,
+/// and file errors.
+void export_xyz(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
+
+/// Every frame as VTK PolyData, FOLDER/frame0000000.vtp, and the collection `path` (.pvd) that gives their
+/// times; the folder is that of frame_folder(path); with Existing::replace nothing of an older export stays
+/// in it. An instant is written once. The time is that of the run or, where it does not go on from frame to
+/// frame, the number of the frame. Throws an input error where the run has no frames, and file errors.
+void export_vtp(const RunFile& run, const std::string& path, Existing existing = Existing::refuse,
+                Cells cells = Cells::polygons);
+
+/// "out/a.pvd": "out/a_frames".
+std::string frame_folder(const std::string& path);
+
+/// Throws a file error where export_vtp could not write.
+void check_can_export_vtp(const std::string& path, Existing existing);
+
+}  // namespace supple

@@ -1,0 +1,32 @@
+/// Bodies of many sites in an HDF5 group: how sites are grouped, what shape the bodies prefer, which are
+/// rigid.
+#pragma once
+#include <string>
+
+#include "supple/io/hdf5/hdf5.hpp"
+#include "supple/model/rigid_bodies.hpp"
+#include "supple/model/shape.hpp"
+#include "supple/model/topology.hpp"
+
+namespace supple {
+
+/// Throws a file error that names the group where a state is not `good`.
+void expect_state(bool good, const h5::Group& group, const std::string& what);
+
+template <int Dim>
+void write_topology(h5::Group group, const Topology<Dim>& topology);
+/// Throws a file error where bodies, facets and hinges do not fit together.
+template <int Dim>
+Topology<Dim> read_topology(const h5::Group& group, int sites);
+
+void write_shape(h5::Group group, const Shape& shape);
+/// Throws a file error where the preferred shapes do not fit the bodies.
+template <int Dim>
+Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
+
+void write_rigid_bodies(h5::Group group, const RigidBodies& rigid);
+/// Throws a file error where they do not fit the bodies.
+template <int Dim>
+RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);
+
+}  // namespace supple

@@ -1,0 +1,153 @@
+#include "supple/io/hdf5/hdf5.hpp"
+
+#include <cstring>
+
+#include "supple/core/path_kind.hpp"
+#include "supple/io/hdf5/hdf5_calls.hpp"
+
+namespace supple::h5 {
+namespace {
+
+/// Before any other call: HDF5 would print its error stack on standard error.
+const bool silent = (H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), true);
+
+template <class T>
+T first_of(const std::vector<T>& values, const std::string& name, const std::string& where) {
+  if (values.empty()) throw file_error("attribute " + name + " of " + where + " is empty");
+  return values[0];
+}
+
+/// The members of a group in creation order where the file keeps it, else by name.
+H5_index_t order_of(hid_t group) {
+  const Object list(H5Gget_create_plist(group));
+  unsigned flags = 0;
+  return H5Pget_link_creation_order(list.id(), &flags) >= 0 && (flags & H5P_CRT_ORDER_INDEXED)
+             ? H5_INDEX_CRT_ORDER
+             : H5_INDEX_NAME;
+}
+
+}  // namespace
+
+std::string reason() {
+  std::string text = "HDF5 gives no reason";
+  const auto keep_first = [](unsigned n, const H5E_error2_t* error, void* out) -> herr_t {
+    if (n == 0 && error->desc) *static_cast<std::string*>(out) = error->desc;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
+  return text;
+}
+
+Object::~Object() {
+  if (id_ >= 0) H5Idec_ref(id_);
+}
+
+std::string Object::where() const {
+  char file[4096] = "", name[1024] = "";
+  H5Fget_name(id_, file, sizeof file);
+  H5Iget_name(id_, name, sizeof name);
+  return std::string(file) + (std::strcmp(name, "/") == 0 ? "" : std::string(":") + name);
+}
+
+bool Object::has_attribute(const std::string& name) const { return H5Aexists(id_, name.c_str()) > 0; }
+void Object::set(const std::string& name, double value) {
+  set_attribute<double>(id_, name, {&value, 1}, {}, where());
+}
+void Object::set(const std::string& name, std::int64_t value) {
+  set_attribute<std::int64_t>(id_, name, {&value, 1}, {}, where());
+}
+void Object::set(const std::string& name, const std::string& text) {
+  set_attribute<std::string>(id_, name, {&text, 1}, {}, where());
+}
+void Object::set(const std::string& name, const std::vector<std::string>& texts) {
+  set_attribute<std::string>(id_, name, texts, {texts.size()}, where());
+}
+double Object::number(const std::string& name) const {
+  return first_of(get_attribute<double>(id_, name, where()), name, where());
+}
+std::int64_t Object::integer(const std::string& name) const {
+  return first_of(get_attribute<std::int64_t>(id_, name, where()), name, where());
+}
+std::string Object::text(const std::string& name) const {
+  return first_of(get_attribute<std::string>(id_, name, where()), name, where());
+}
+std::vector<std::string> Object::texts(const std::string& name) const {
+  return get_attribute<std::string>(id_, name, where());
+}
+
+bool Group::has(const std::string& name) const { return H5Lexists(id(), name.c_str(), H5P_DEFAULT) > 0; }
+
+bool Group::is_group(const std::string& name) const {
+  const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where()));
+  return H5Iget_type(member.id()) == H5I_GROUP;
+}
+
+std::vector<std::string> Group::names() const {
+  std::vector<std::string> out;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  checked(H5Literate(id(), order_of(id()), H5_ITER_INC, nullptr, add, &out), "list", where());
+  return out;
+}
+
+Group Group::create_group(const std::string& name) {
+  const Object list(H5Pcreate(H5P_GROUP_CREATE));
+  H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  return Group(checked(H5Gcreate2(id(), name.c_str(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+                       "create group " + name + " in", where()));
+}
+
+Group Group::open_group(const std::string& name) const {
+  return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", where()));
+}
+
+Object Group::open_dataset(const std::string& name) const {
+  return own(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where());
+}
+
+void Group::remove(const std::string& name) {
+  checked(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), "remove " + name + " from", where());
+}
+
+void Group::copy(const Group& from, const std::string& name) {
+  checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          "copy " + name + " to", where());
+}
+
+void Group::copy_attributes(const Object& from) { copy_all_attributes(from.id(), id(), from.where()); }
+
+Group create_file(const std::string& name) {
+  const Object list(H5Pcreate(H5P_FILE_CREATE)), access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_istore_k(list.id(), 8);  // small nodes: most arrays have few pieces
+  // What version 1.8 and later read: compact headers, with checksums.
+  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
+  H5Pset_fapl_core(access.id(), std::size_t{1} << 20, 0);
+  const Object file(checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, list.id(), access.id()), "create", name));
+  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", name));
+}
+
+void save(Group& root, const std::string& path, Existing existing) {
+  const Object file(checked(H5Iget_file_id(root.id()), "write", root.where()));
+  checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root.where());
+  const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root.where());
+  void** bytes = nullptr;
+  checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, reinterpret_cast<void**>(&bytes)), "write", root.where());
+  NewFile out(path, existing);
+  out.write({static_cast<const char*>(*bytes), static_cast<std::size_t>(size)});
+  out.commit();
+}
+
+Group open_file(const std::string& path) {
+  check_can_read(path, "the run");
+  const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
+  if (is_hdf5 == 0)
+    throw file_error(path + " is not an HDF5 file", "runs are",
+                     path.ends_with(".toml") ? "supple run " + path + " makes a run of this case" : "");
+  const Object file(checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "read", path));
+  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", path));
+}
+
+}  // namespace supple::h5

@@ -1,0 +1,183 @@
+/// Datasets: whole arrays, and arrays that are put together from the rows of others.
+#include <algorithm>
+
+#include "supple/io/hdf5/hdf5_calls.hpp"
+
+namespace supple::h5 {
+namespace {
+
+std::uint64_t product(const Shape& shape, std::size_t from = 0) {
+  std::uint64_t n = 1;
+  for (std::size_t d = from; d < shape.size(); ++d) n *= shape[d];
+  return n;
+}
+
+/// An array of at most so many bytes stands in the header of its dataset, with its checksum.
+constexpr std::uint64_t compact_bytes = 2048;
+/// A scalar has no pieces: it stands there up to the most that a header takes.
+constexpr std::uint64_t header_bytes = 60000;
+/// A piece holds about so many: one that is read for a single frame costs little.
+constexpr std::uint64_t piece_bytes = 32768;
+
+/// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout
+/// without pieces.
+Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
+  Object list(H5Pcreate(H5P_DATASET_CREATE));
+  const std::uint64_t bytes = product(shape) * value_bytes;
+  if (bytes > 0 && bytes <= compact_bytes) {
+    H5Pset_layout(list.id(), H5D_COMPACT);
+    return list;
+  }
+  Shape piece = shape;
+  for (std::uint64_t& length : piece) length = std::max<std::uint64_t>(1, length);
+  const std::uint64_t row = std::max<std::uint64_t>(1, product(piece, 1) * value_bytes);
+  piece[0] = std::clamp<std::uint64_t>(piece_bytes / row, 1, piece[0]);
+  // A row of more than 64 MiB is cut, as pieces must stay below 4 GiB.
+  for (std::size_t d = 1; d < piece.size(); ++d)
+    while (product(piece, d) * value_bytes > std::uint64_t{1} << 26 && piece[d] > 1)
+      piece[d] = (piece[d] + 1) / 2;
+  H5Pset_chunk(list.id(), static_cast<int>(piece.size()), reinterpret_cast<const hsize_t*>(piece.data()));
+  H5Pset_shuffle(list.id());
+  H5Pset_deflate(list.id(), 1);
+  H5Pset_fletcher32(list.id());
+  return list;
+}
+
+Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape,
+                      const std::string& where) {
+  Shape limit = shape;
+  for (std::uint64_t& length : limit) length = length ? length : H5S_UNLIMITED;
+  const Object space(H5Screate_simple(static_cast<int>(shape.size()),
+                                      reinterpret_cast<const hsize_t*>(shape.data()),
+                                      reinterpret_cast<const hsize_t*>(limit.data())));
+  const Object list = layout_of(shape, H5Tget_size(type));
+  return own(H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+             "create " + name + " in", where);
+}
+
+/// Selects rows [first, first + count) of a space.
+void select_rows(hid_t space, Shape shape, std::uint64_t first, std::uint64_t count) {
+  Shape start(shape.size(), 0);
+  start[0] = first;
+  shape[0] = count;
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, reinterpret_cast<const hsize_t*>(start.data()), nullptr,
+                      reinterpret_cast<const hsize_t*>(shape.data()), nullptr);
+}
+
+}  // namespace
+
+template <class T>
+Object Group::write(const std::string& name, std::span<const T> values, const Shape& shape) {
+  const Buffer<T> buffer(values);
+  Object dataset =
+      create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape, where());
+  if (!values.empty())
+    checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
+            dataset.where());
+  return dataset;
+}
+
+template <class T>
+Object Group::write_scalar(const std::string& name, const T& value) {
+  const Buffer<T> buffer(std::span<const T>(&value, 1));
+  const Object list(H5Pcreate(H5P_DATASET_CREATE));
+  if (H5Tget_size(buffer.type.id()) <= header_bytes) H5Pset_layout(list.id(), H5D_COMPACT);
+  const Object space = space_of({});
+  Object dataset =
+      own(H5Dcreate2(id(), name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+          "create " + name + " in", where());
+  checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
+          dataset.where());
+  return dataset;
+}
+
+Object Group::create_like(const Group& from, const std::string& name, std::uint64_t rows) {
+  const Object source = from.open_dataset(name);
+  const Object type(H5Dget_type(source.id()));
+  Shape shape = from.shape(name);
+  shape.at(0) = rows;
+  Object made = create_dataset(id(), name, type.id(), shape, where());
+  copy_all_attributes(source.id(), made.id(), source.where());
+  return made;
+}
+
+void Group::write_rows_of(const Group& from, const std::string& name, std::uint64_t first) {
+  const Object source = from.open_dataset(name), target = open_dataset(name);
+  const Object type(H5Dget_type(source.id()));
+  const Shape rows = from.shape(name), all = shape(name);
+  const std::size_t count = believable_count(source, type.id(), rows, source.where());
+  if (count == 0) return;
+  if (rows.size() != all.size() || !std::equal(rows.begin() + 1, rows.end(), all.begin() + 1) ||
+      first > all[0] || rows[0] > all[0] - first)
+    throw file_error("cannot write " + target.where(), source.where() + " has another shape");
+  std::vector<char> bytes(count * H5Tget_size(type.id()));
+  checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read",
+          source.where());
+  const Object file_space(H5Dget_space(target.id())), memory_space = space_of(rows);
+  select_rows(file_space.id(), all, first, rows[0]);
+  checked(H5Dwrite(target.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()),
+          "write", target.where());
+}
+
+Shape Group::shape(const std::string& name) const {
+  const Object dataset = open_dataset(name);
+  const Object space(H5Dget_space(dataset.id()));
+  return shape_of(space.id(), dataset.where());
+}
+
+template <class T>
+std::vector<T> Group::read(const std::string& name) const {
+  const Object dataset = open_dataset(name);
+  const Object type(H5Dget_type(dataset.id())), space(H5Dget_space(dataset.id()));
+  const std::string where = dataset.where();
+  return read_values<T>(dataset, type, shape_of(space.id(), where), where, [&](hid_t memory_type, void* out) {
+    checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out), "read", where);
+  });
+}
+
+template <class T>
+T Group::read_scalar(const std::string& name) const {
+  std::vector<T> values = read<T>(name);
+  if (values.size() != 1)
+    throw file_error("cannot read " + name + " in " + where(), "it is not a single value");
+  return std::move(values[0]);
+}
+
+template <class T>
+std::vector<T> Group::read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const {
+  const Object dataset = open_dataset(name);
+  const Object type(H5Dget_type(dataset.id())), file_space(H5Dget_space(dataset.id()));
+  const std::string where = dataset.where();
+  Shape rows = shape_of(file_space.id(), where);
+  if (rows.empty() || first > rows[0] || count > rows[0] - first)
+    throw file_error("cannot read " + where, "rows are missing");
+  rows[0] = count;
+  select_rows(file_space.id(), rows, first, count);
+  const Object memory_space = space_of(rows);
+  return read_values<T>(dataset, type, rows, where, [&](hid_t memory_type, void* out) {
+    checked(H5Dread(dataset.id(), memory_type, memory_space.id(), file_space.id(), H5P_DEFAULT, out), "read",
+            where);
+  });
+}
+
+template Object Group::write(const std::string&, std::span<const double>, const Shape&);
+template Object Group::write(const std::string&, std::span<const std::int32_t>, const Shape&);
+template Object Group::write(const std::string&, std::span<const std::int64_t>, const Shape&);
+template Object Group::write(const std::string&, std::span<const std::uint8_t>, const Shape&);
+template Object Group::write(const std::string&, std::span<const std::string>, const Shape&);
+template Object Group::write_scalar(const std::string&, const double&);
+template Object Group::write_scalar(const std::string&, const std::int64_t&);
+template Object Group::write_scalar(const std::string&, const std::string&);
+
+#define SUPPLE_H5_ELEMENT(T)                                     \
+  template std::vector<T> Group::read(const std::string&) const; \
+  template T Group::read_scalar(const std::string&) const;       \
+  template std::vector<T> Group::read_rows(const std::string&, std::uint64_t, std::uint64_t) const;
+SUPPLE_H5_ELEMENT(double)
+SUPPLE_H5_ELEMENT(std::int32_t)
+SUPPLE_H5_ELEMENT(std::int64_t)
+SUPPLE_H5_ELEMENT(std::uint8_t)
+SUPPLE_H5_ELEMENT(std::string)
+#undef SUPPLE_H5_ELEMENT
+
+}  // namespace supple::h5

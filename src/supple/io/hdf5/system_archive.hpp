@@ -1,0 +1,28 @@
+/// A system in an HDF5 group, bit for bit.
+#pragma once
+#include "supple/io/hdf5/hdf5.hpp"
+#include "supple/model/evaluation.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+template <int Dim>
+void write_box(h5::Group& group, const Box<Dim>& box);
+template <int Dim>
+Box<Dim> read_box(const h5::Group& group);
+
+/// Box, sites, topology, preferred shapes, pairs with their memory, time and step. What only some systems
+/// have (shape, floor_contact) is left out where it is empty.
+template <int Dim>
+void write_system(h5::Group& group, const System<Dim>& system);
+/// Throws a file error where arrays are missing or do not fit together.
+template <int Dim>
+System<Dim> read_system(const h5::Group& group);
+
+/// Forces, torques, energies and virial; the forces of pairs are not kept, they follow from the system.
+template <int Dim>
+void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation);
+template <int Dim>
+Evaluation<Dim> read_evaluation(const h5::Group& group);
+
+}  // namespace supple

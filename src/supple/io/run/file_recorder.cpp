@@ -1,0 +1,201 @@
+#include "supple/io/run/file_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "supple/core/error.hpp"
+#include "supple/io/hdf5/system_archive.hpp"
+#include "supple/io/run/run_file.hpp"
+#include "supple/io/run/run_merge.hpp"
+
+namespace supple {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+void write_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
+                 const std::vector<double>& rows) {
+  h5::Group table = tables.create_group(name);
+  std::vector<double> values(columns.empty() ? 0 : rows.size() / columns.size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns.size() + c];
+    h5::Object column = table.write(columns[c].name, values);
+    column.set("unit", columns[c].unit);
+    column.set("meaning", columns[c].meaning);
+  }
+}
+
+/// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not
+/// ours to remove.
+void remove_partial_run(const std::string& folder) {
+  if (!fs::exists(fs::symlink_status(folder))) return;
+  std::error_code error;
+  const auto refuse = [&](const std::string& why) {
+    return file_error("cannot replace " + folder, why, "remove it or choose another name");
+  };
+  if (!fs::is_directory(fs::symlink_status(folder))) throw refuse("it is no folder");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name.starts_with("segment-") || name.starts_with("merged");
+    if (!ours || !entry.is_regular_file()) throw refuse("it holds " + name + ", which no run wrote");
+  }
+  fs::remove_all(folder, error);
+  if (error) throw refuse(error.message());
+}
+
+}  // namespace
+
+FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing,
+                           FlushSpec flush)
+    : path_(std::move(path)),
+      folder_(partial_folder(path_)),
+      case_(std::move(resolved)),
+      case_text_(std::move(case_text)),
+      existing_(existing),
+      flush_(flush),
+      started_(Clock::now()),
+      flushed_(started_) {
+  check_can_create(path_, existing_);
+  if (existing_ == Existing::replace) remove_partial_run(folder_);
+  std::error_code error;
+  if (!fs::create_directory(folder_, error)) {
+    if (error) throw file_error("cannot create " + folder_, error.message());
+    throw file_error(folder_ + " exists", "another run writes there, or was killed",
+                     "choose another name, remove it, or overwrite it with --force");
+  }
+}
+
+FileRecorder::~FileRecorder() {
+  if (finished_) return;
+  try {
+    if (info_) write_segment();
+  } catch (const std::exception&) {  // what is on disk is complete; a destructor has nobody to tell
+  }
+  std::error_code error;
+  fs::remove(folder_, error);  // only where it is empty: the run never began
+}
+
+void FileRecorder::begin(const RunInfo& info) {
+  info_ = info;
+  write_segment();
+}
+
+void FileRecorder::declare(const std::string& table, const std::vector<Column>& columns) {
+  const auto [at, made] = tables_.try_emplace(table, Table{columns, {}, true});
+  if (!made) throw input_error("table '" + table + "' is declared twice");
+}
+
+void FileRecorder::append(const std::string& table, std::span<const double> row) {
+  const auto at = tables_.find(table);
+  if (at == tables_.end()) throw input_error("no table '" + table + "' was declared");
+  if (row.size() != at->second.columns.size())
+    throw input_error("a row of table '" + table + "' has " + std::to_string(row.size()) + " values, not " +
+                      std::to_string(at->second.columns.size()));
+  at->second.rows.insert(at->second.rows.end(), row.begin(), row.end());
+  count(row.size_bytes());
+}
+
+void FileRecorder::frame(const Frame& frame) {
+  if (last_frame_ && same_instant(*last_frame_, frame)) return;
+  if (!last_frame_) first_numbers_ = frame.numbers;
+  std::map<std::string, std::size_t> numbers;
+  for (const auto& [name, values] : frame.body) numbers[name] = values.size();
+  if (!body_numbers_) body_numbers_ = numbers;
+  if (numbers != *body_numbers_)
+    throw input_error("a frame has other numbers of bodies than the first one",
+                      "all frames of a run are alike");
+  frames_.push_back(frame);
+  SystemNumbers& of_all = frames_.back().numbers;
+  of_all = {};
+  for (const auto& [name, value] : first_numbers_) {
+    const auto at = frame.numbers.find(name);
+    of_all[name] = at == frame.numbers.end() ? std::nan("") : at->second;
+  }
+  last_frame_.emplace();
+  last_frame_->step = frame.step;
+  last_frame_->time = frame.time;
+  last_frame_->position = frame.position;
+  std::size_t bytes =
+      frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
+  for (const auto& [name, values] : frame.body) bytes += values.size() * sizeof(double);
+  count(bytes);
+}
+
+void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {
+  values_.push_back({group, {name, value, error}});
+}
+
+void FileRecorder::final_state(const System<2>& system, const Evaluation<2>& evaluation) {
+  final_.emplace(system, evaluation);
+}
+
+void FileRecorder::warning(const std::string& text) { warnings_.push_back(text); }
+
+/// The interval grows with the age of the run: a day makes some hundred segments, and a kill loses at most 2
+/// %.
+void FileRecorder::count(std::size_t bytes) {
+  bytes_ += bytes;
+  const auto now = Clock::now();
+  const double interval = std::max(flush_.seconds, 0.02 * seconds_between(started_, now));
+  if (info_ && (bytes_ >= flush_.bytes || seconds_between(flushed_, now) >= interval)) write_segment();
+}
+
+void FileRecorder::write_segment() {
+  const std::string path = folder_ + "/" + segment_name(segments_);
+  h5::Group root = h5::create_file(path);
+  write_new(root);
+  h5::save(root, path);
+  for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
+  for (auto& [name, table] : tables_) {
+    table.rows.clear();
+    table.fresh = false;
+  }
+  frames_.clear();
+  values_.clear();
+  warnings_.clear();
+  final_.reset();
+  bytes_ = 0;
+  flushed_ = Clock::now();
+  ++segments_;
+}
+
+void FileRecorder::write_new(h5::Group& root) {
+  if (segments_ == 0) write_header(root, case_, case_text_, *info_);
+  h5::Group tables = root.create_group("tables");
+  for (const auto& [name, table] : tables_)
+    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows);
+  write_frames(root, frames_, info_->units, contacts_);
+  for (const auto& [group, value] : values_) {
+    h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
+    if (target.has(value.name.name)) target.remove(value.name.name);
+    write_value(target, value);
+  }
+  root.write("warnings", warnings_);
+  if (final_) {
+    h5::Group state = root.create_group("final_state");
+    write_system(state, final_->first);
+    h5::Group evaluation = state.create_group("evaluation");
+    write_evaluation(evaluation, final_->second);
+  }
+}
+
+void FileRecorder::finish(const std::string& status) {
+  try {
+    if (info_) write_segment();
+    finished_ = true;  // whatever the merge meets, the segments are complete
+    if (info_) save_merged(RunFile(folder_), status, path_, existing_);
+  } catch (const Error& e) {
+    if (segments_ == 0) throw;
+    throw Error(e.kind(), e.what(), "", "what is complete is in " + folder_ + ", which every command reads");
+  }
+  std::error_code error;
+  fs::remove_all(folder_, error);
+}
+
+}  // namespace supple

@@ -1,0 +1,76 @@
+/// Reading a run: the finished file, or the segments of one that is going on or was killed.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "supple/experiment/case.hpp"
+#include "supple/experiment/recorder.hpp"
+#include "supple/io/hdf5/hdf5.hpp"
+#include "supple/io/run/run_layout.hpp"
+
+namespace supple {
+
+/// Everything about a run. All functions throw a file error where the file is damaged.
+class RunFile {
+ public:
+  /// `path` is the run file or, where there is none, the run whose segments lie in `<path>.partial`, or that
+  /// folder. Throws a file error that tells apart missing, not HDF5, truncated, and HDF5 but not a run.
+  explicit RunFile(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  /// "complete", "interrupted", "failed: why", or "unfinished" for segments (killed, or still going on).
+  std::string status() const;
+  std::string version() const;
+  std::string experiment() const;
+  std::string physics() const;
+  std::int64_t seed() const;
+  /// The resolved case, as text and as values.
+  std::string case_text() const;
+  Case resolved_case() const;
+  RunInfo info() const;
+
+  std::vector<std::string> tables() const;
+  bool has_table(const std::string& table) const;
+  std::vector<Column> columns(const std::string& table) const;
+  std::int64_t rows(const std::string& table) const;
+  /// Throws a file error that lists the columns where there is none of that name.
+  std::vector<double> column(const std::string& table, const std::string& name) const;
+
+  std::int64_t frames() const;
+  /// Frame k, 0 <= k < frames().
+  Frame frame(std::int64_t k) const;
+
+  /// Groups of numbers: constants, results, ...
+  std::vector<std::string> value_groups() const;
+  /// The numbers of a group ("constants", "results", "material"), in the order they were written.
+  std::vector<RunValue> values(const std::string& group) const;
+  std::optional<double> find_value(const std::string& group, const std::string& name) const;
+  /// Throws a file error where there is no such number.
+  double value(const std::string& group, const std::string& name) const;
+  std::vector<std::string> warnings() const;
+
+  bool has_final_state() const;
+  std::pair<System<2>, Evaluation<2>> final_state() const;
+
+ private:
+  friend void save_merged(const RunFile&, const std::string&, const std::string&, Existing);
+
+  struct Segment {
+    std::string path;
+    std::int64_t frames, contacts;  ///< rows in it
+  };
+  const h5::Group& segment(std::size_t index) const;
+  std::size_t segments() const { return segments_.size(); }
+
+  std::string path_;
+  bool partial_ = false;
+  std::vector<Segment> segments_;
+  mutable std::optional<RunInfo> info_;  ///< once a frame was read
+  mutable std::size_t open_index_ = static_cast<std::size_t>(-1);
+  mutable h5::Group open_;  ///< the segment last used: most calls ask for the same one again
+};
+
+}  // namespace supple

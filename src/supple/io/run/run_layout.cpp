@@ -1,0 +1,153 @@
+#include "supple/io/run/run_layout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "supple/core/error.hpp"
+#include "supple/io/hdf5/array_views.hpp"
+#include "supple/io/hdf5/system_archive.hpp"
+
+namespace supple {
+namespace {
+
+template <class Section>
+std::string attribute_name(const std::string& section, const Field<Section>& field) {
+  return (section.empty() ? "" : section + ".") + std::string(field.name);
+}
+
+void store_case(h5::Object& dataset, const Case& c) {
+  for_each_section(c, [&](const std::string& section, const auto& values) {
+    using Section = std::decay_t<decltype(values)>;
+    for (const Field<Section>& field : fields<Section>())
+      std::visit(
+          [&](auto member) {
+            using Value = std::decay_t<decltype(values.*member)>;
+            if constexpr (std::is_integral_v<Value>)
+              dataset.set(attribute_name(section, field), static_cast<std::int64_t>(values.*member));
+            else dataset.set(attribute_name(section, field), values.*member);
+          },
+          field.member);
+  });
+}
+
+}  // namespace
+
+std::string unit_text(const Units& units, double in_si, const char* si) {
+  if (units.name == reduced_units().name) return "";
+  return in_si == 1 ? si : fmt::format("{} {}", in_si, si);
+}
+
+void expect_run(bool good, const h5::Object& object, const std::string& what) {
+  if (!good) throw file_error("cannot use the run in " + object.where(), what, "the file is damaged");
+}
+
+std::string partial_folder(const std::string& path) { return path + ".partial"; }
+std::string segment_name(int index) { return fmt::format("segment-{:06}.h5", index); }
+
+void write_header(h5::Group& root, const Case& resolved, const std::string& case_text, const RunInfo& info) {
+  root.set("format", std::string(run_format));
+  root.set("supple_version", std::string(SUPPLE_VERSION));
+  root.set("compiler", std::string(__VERSION__));
+  root.set("experiment", resolved.general.experiment);
+  root.set("physics", resolved.general.physics);
+  root.set("seed", resolved.general.seed);
+  root.set("units", info.units.name);
+  root.set("unit_length", info.units.length);
+  root.set("unit_mass", info.units.mass);
+  root.set("unit_time", info.units.time);
+  root.set("sign_of_stress", std::string("compression positive"));
+  root.set("definition_of_strain",
+           std::string("time integral of the shear rate: displacement of the upper image along "
+                       "x over the height of the cell; 0.2 is 20 %"));
+  root.set("definition_of_phase",
+           std::string("strain = A sin(2 pi (f t - pre_periods)); storage modulus: in phase with "
+                       "the strain (sin), loss modulus: with its rate (cos)"));
+  h5::Object stored = root.write_scalar("case", case_text);
+  store_case(stored, resolved);
+
+  h5::Group box = root.create_group("box");
+  write_box(box, info.box);
+  h5::Group discs = root.create_group("discs");
+  discs.write("radius", info.radius).set("unit", unit_text(info.units, info.units.length, "m"));
+  discs.write("mass", info.mass).set("unit", unit_text(info.units, info.units.mass, "kg/m"));
+  discs.write("inertia", info.inertia).set("unit", unit_text(info.units, info.units.inertia(), "kg m"));
+  discs.write("particle", info.particle)
+      .set("meaning",
+           info.body_begin.empty() ? "crosslinked particle of the disc, from 0" : "body of the site, from 0");
+  if (!info.body_begin.empty())
+    discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
+}
+
+RunInfo read_info(const h5::Group& root) {
+  RunInfo info;
+  info.units = {root.text("units"), root.number("unit_length"), root.number("unit_mass"),
+                root.number("unit_time")};
+  for (const double unit : {info.units.length, info.units.mass, info.units.time})
+    expect_run(std::isfinite(unit) && unit > 0, root, "a unit that is none");
+  const h5::Group box = root.open_group("box"), discs = root.open_group("discs");
+  info.box = read_box<2>(box);
+  expect_run(is_cell(info.box.length) && std::abs(info.box.strain) < far_away, box, "a cell that is none");
+  info.radius = discs.read<double>("radius");
+  info.mass = discs.read<double>("mass");
+  info.inertia = discs.read<double>("inertia");
+  info.particle = discs.read<std::int32_t>("particle");
+  if (discs.has("body_begin")) info.body_begin = discs.read<std::int32_t>("body_begin");
+
+  const std::size_t sites = info.radius.size();
+  expect_run(info.mass.size() == sites && info.inertia.size() == sites && info.particle.size() == sites,
+             discs, "its arrays differ in length");
+  for (std::size_t i = 0; i < sites; ++i)
+    expect_run(info.radius[i] > 0 && std::isfinite(info.radius[i]) && info.particle[i] >= 0 &&
+                   info.particle[i] < static_cast<std::int64_t>(sites),
+               discs, "a site without size, or of a particle that does not exist");
+  const std::vector<std::int32_t>& begin = info.body_begin;
+  expect_run(begin.empty() ||
+                 (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
+                  std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
+             discs, "its bodies do not cover the sites");
+  return info;
+}
+
+Case read_stored_case(const h5::Group& root) {
+  Case c;
+  const h5::Object dataset = root.open_dataset("case");
+  for_each_section(c, [&](const std::string& section, auto& values) {
+    using Section = std::decay_t<decltype(values)>;
+    for (const Field<Section>& field : fields<Section>()) {
+      const std::string name = attribute_name(section, field);
+      if (!dataset.has_attribute(name)) continue;  // a key that is younger than the file
+      std::visit(
+          [&](auto member) {
+            using Value = std::decay_t<decltype(values.*member)>;
+            if constexpr (std::is_same_v<Value, std::string>) values.*member = dataset.text(name);
+            else if constexpr (std::is_same_v<Value, double>) values.*member = dataset.number(name);
+            else values.*member = static_cast<Value>(dataset.integer(name));
+          },
+          field.member);
+    }
+  });
+  return c;
+}
+
+void write_value(h5::Group& group, const RunValue& value) {
+  h5::Object dataset = group.write_scalar(value.name.name, value.value);
+  dataset.set("unit", value.name.unit);
+  dataset.set("meaning", value.name.meaning);
+  if (value.error >= 0) dataset.set("error", value.error);
+}
+
+std::vector<RunValue> read_values(const h5::Group& group) {
+  std::vector<RunValue> out;
+  for (const std::string& name : group.names()) {
+    const h5::Object dataset = group.open_dataset(name);
+    out.push_back({{name, dataset.text("unit"), dataset.text("meaning")},
+                   group.read_scalar<double>(name),
+                   dataset.has_attribute("error") ? dataset.number("error") : -1});
+  }
+  return out;
+}
+
+}  // namespace supple

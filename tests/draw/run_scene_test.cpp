@@ -1,0 +1,59 @@
+#include "supple/draw/scene/run_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/io/body_run.hpp"
+#include "tests/io/sample_run.hpp"
+
+namespace supple {
+namespace {
+
+using testing::body_frame;
+using testing::body_info;
+
+TEST(RunScene, HasTheBodiesOfTheRunInTheCellOfTheFrame) {
+  const PolygonScene scene = scene_of(body_info(), body_frame(2));
+  EXPECT_EQ(scene.begin, (std::vector<std::int32_t>{0, 4, 5, 8}));
+  EXPECT_EQ(scene.box.length, (Vec2{10, 9.5}));
+  EXPECT_EQ(scene.time, 0.5);
+  EXPECT_EQ(scene.position, body_frame(2).position);
+  EXPECT_EQ(scene.radius, body_info().radius);
+  EXPECT_EQ(scene.of_bodies.size(), 3u);
+  EXPECT_NO_THROW(check_scene(scene, "a.png"));
+}
+
+TEST(RunScene, ContactsBearTheSizeOfTheirForce) {
+  const PolygonScene scene = scene_of(body_info(), body_frame(0));
+  ASSERT_EQ(scene.contacts.size(), 2u);
+  EXPECT_EQ(scene.contacts[1].first, 4);
+  EXPECT_EQ(scene.contacts[1].second, 6);
+  EXPECT_DOUBLE_EQ(scene.contacts[1].force, 0.5);
+}
+
+TEST(RunScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {
+  const CellNumbers cell = cell_numbers(scene_of(body_info(), body_frame(4)));
+  EXPECT_DOUBLE_EQ(cell.packing_fraction, 20 / 90.0);
+  EXPECT_DOUBLE_EQ(cell.pressure, (10 * 4e-3 + 5 * 2e-3 + 5 * 3e-3) / 90);
+  Frame frame = body_frame(4);
+  frame.body.clear();
+  EXPECT_TRUE(std::isnan(cell_numbers(scene_of(body_info(), frame)).packing_fraction));
+}
+
+TEST(RunScene, DiscsKeepTheirCellTheirSpinAndTheirParticle) {
+  RunInfo info = testing::sample_info(6);
+  Frame frame = testing::sample_frame(6, 3);
+  info.body_begin.clear();
+  frame.length = {};
+  frame.body.clear();
+  const PolygonScene scene = scene_of(info, frame);
+  EXPECT_EQ(scene.bodies(), 6);
+  EXPECT_EQ(scene.box.length, (Vec2{500, 400}));
+  EXPECT_EQ(scene.box.strain, std::sin(3));
+  ASSERT_EQ(scene.of_sites.size(), 6u);
+  EXPECT_EQ(std::get<std::vector<std::int32_t>>(scene.of_sites[5].values), info.particle);
+}
+
+}  // namespace
+}  // namespace supple

@@ -1,0 +1,127 @@
+#include "supple/draw/page/snapshot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "supple/core/error.hpp"
+#include "supple/draw/scene/particle_colors.hpp"
+#include "tests/io/count_of.hpp"
+#include "tests/io/temporary_folder.hpp"
+
+namespace supple {
+namespace {
+
+using testing::content_of;
+using testing::count_of;
+
+/// Two crosslinked particles of two discs and a single disc, none near the boundary, in SI.
+struct Sample {
+  RunInfo info;
+  Frame frame;
+
+  Sample() {
+    info.box.length = {500e-6, 500e-6};
+    info.radius.assign(5, 30e-6);
+    info.mass = info.inertia = std::vector<double>(5, 1);
+    info.particle = {0, 0, 1, 1, 2};
+    frame.time = 1.5e-3;
+    frame.strain = 0.1;
+    frame.position = {
+        {150e-6, 200e-6}, {200e-6, 200e-6}, {250e-6, 200e-6}, {300e-6, 200e-6}, {250e-6, 300e-6}};
+    frame.angle.assign(5, 0.3);
+    frame.mobility.assign(5, Mobility::free);
+    frame.contacts = {{0, 1, ContactState::permanent, 0, 0, 10, 1},
+                      {2, 3, ContactState::permanent, 0, 0, -4, 1},
+                      {1, 2, ContactState::slip, 0, 0, 6, 1}};
+  }
+};
+
+/// Shapes with this colour of line in an SVG picture.
+int strokes(const std::string& svg, const std::string& rgb_percent) {
+  return count_of(svg, "stroke:rgb(" + rgb_percent + ")");
+}
+constexpr const char* link_color = "33.333333%,33.333333%,33.333333%";
+constexpr const char* slip_color = "80%,6.666667%,26.666667%";
+constexpr const char* stick_color = "0%,20%,66.666667%";
+
+class SnapshotTest : public testing::TemporaryFolder {};
+
+TEST_F(SnapshotTest, DrawsOneShapeForEachDiscAndOneLineForEachContact) {
+  const Sample sample;
+  SnapshotOptions options;
+  for (int i = 0; i < 5; ++i) options.color.push_back({0.2 * i, 1, 0.5});
+  draw_snapshot(in_folder("a.svg"), sample.info, sample.frame, options);
+  const std::string svg = content_of(in_folder("a.svg"));
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(count_of(svg, "fill:rgb(" + std::to_string(20 * i) + "%,100%,50%)"), 1);
+  EXPECT_EQ(strokes(svg, link_color), 2 + 2);  // in the legend: compressed, and in tension
+  EXPECT_EQ(strokes(svg, slip_color), 1 + 1);
+  EXPECT_EQ(strokes(svg, stick_color), 0);  // no such contact, no such entry
+  EXPECT_EQ(count_of(svg, "stroke-dasharray"), 2);
+}
+
+TEST_F(SnapshotTest, WritesEveryFormat) {
+  const Sample sample;
+  for (const char* name : {"a.png", "a.jpg", "a.svg", "a.pdf", "a.ps"}) {
+    draw_snapshot(in_folder(name), sample.info, sample.frame);
+    EXPECT_GT(content_of(in_folder(name)).size(), 1000u) << name;
+  }
+}
+
+TEST_F(SnapshotTest, IsTheSamePageForEveryStrainThatRoomIsLeftFor) {
+  Sample sample;
+  SnapshotOptions options;
+  options.strain_room = 0.2;
+  std::vector<std::string> sizes;
+  for (const double strain : {0.0, 0.2, -0.2}) {
+    sample.frame.strain = strain;
+    draw_snapshot(in_folder("a.png"), sample.info, sample.frame, options);
+    sizes.push_back(content_of(in_folder("a.png")).substr(16, 8));
+  }
+  EXPECT_EQ(sizes[0], sizes[1]);
+  EXPECT_EQ(sizes[0], sizes[2]);
+}
+
+TEST_F(SnapshotTest, DrawsARunWithoutContactsAndOneWithoutPeriodicity) {
+  Sample sample;
+  sample.frame.contacts.clear();
+  sample.info.box.periodic = {false, false};
+  EXPECT_NO_THROW(draw_snapshot(in_folder("a.png"), sample.info, sample.frame));
+}
+
+TEST(Snapshot, RefusesAFrameOfAnotherRun) {
+  Sample sample;
+  sample.frame.position.pop_back();
+  EXPECT_THROW(draw_snapshot("a.png", sample.info, sample.frame), Error);
+}
+
+TEST(Snapshot, WidestLineIsTheStrongestForceInNewtonPerMetre) {
+  Sample sample;
+  sample.info.units = particleshear_units();
+  sample.frame.contacts = {{0, 1, ContactState::stick, 0, 0, 3e12, 4e12}};
+  EXPECT_NEAR(strongest_force(sample.info, sample.frame), 5, 1e-12);
+}
+
+TEST(ParticleColors, DifferBetweenNeighboursAndAreGreyForSingleDiscs) {
+  // A ring of 27 touching particles of two discs, closed over the period, and one disc alone. Neighbours are
+  // 8 numbers apart, so that colours given in turn would clash.
+  Box<2> box;
+  box.length = {54, 60};
+  Frame frame;
+  std::vector<std::int32_t> particle;
+  for (int i = 0; i < 54; ++i) {
+    frame.position.push_back({i + 0.5, 30});
+    particle.push_back(i / 2 * 8 % 27);
+  }
+  frame.position.push_back({10, 50});
+  particle.push_back(27);
+  const auto color = disc_colors(particle, lay_out_cell(box, std::vector<double>(55, 0.6), frame, 1));
+  for (int i = 0; i < 54; ++i) {
+    const int next = (i + 1) % 54;
+    EXPECT_EQ(color[i] == color[next], particle[i] == particle[next]) << i;
+  }
+  EXPECT_EQ(color[54], pale_gray);
+}
+
+}  // namespace
+}  // namespace supple
