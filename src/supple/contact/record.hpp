@@ -41,6 +41,7 @@ struct ContactRecord {
   std::array<std::int32_t, Dim> cells{};
 
   void set_cells(const Vec<Dim>& n) {
+    up = static_cast<std::int32_t>(n[gradient]);
     for (int d = 0; d < Dim; ++d) {
       cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(n[d]);
       crosses = crosses || n[d] != 0;

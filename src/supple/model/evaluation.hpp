@@ -5,6 +5,7 @@
 
 #include "supple/core/vec.hpp"
 #include "supple/model/pair_table.hpp"
+#include "supple/model/touch_table.hpp"
 
 namespace supple {
 
@@ -74,6 +75,8 @@ struct Evaluation {
   std::vector<PairForce<Dim>> pair;         ///< aligned with System::pairs
   std::vector<ContactState> trial_state;    ///< aligned with System::pairs
   std::vector<double> trial_history;        ///< aligned with System::pairs.history
+  std::vector<Touch> trial_touch;           ///< the next System::touches, in their order
+  std::vector<double> trial_link;           ///< the next elongations of System::links
   std::vector<double> trial_floor_contact;  ///< aligned with sites; empty: no floor with friction
   std::vector<SiteForce<Dim>> wall;         ///< forces of repulsive plates and walls, external to the sample
   EnergyParts energy;

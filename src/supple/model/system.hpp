@@ -9,6 +9,7 @@
 #include "supple/model/shape.hpp"
 #include "supple/model/state.hpp"
 #include "supple/model/topology.hpp"
+#include "supple/model/touch_table.hpp"
 
 namespace supple {
 
@@ -20,6 +21,8 @@ struct System {
   Shape shape;
   RigidBodies rigid;  ///< empty: every body deforms
   PairTable pairs;
+  TouchTable touches;       ///< of bodies of many sites, where contacts remember
+  std::vector<Link> links;  ///< between bodies of many sites, ascending by (first, second)
   /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with
   /// friction.
   std::vector<double> floor_contact;

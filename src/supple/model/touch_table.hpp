@@ -1,0 +1,52 @@
+/// What contacts of bodies of many sites remember.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "supple/model/pair_table.hpp"
+
+namespace supple {
+
+/// Which contact: a site, what it touches, and the image. Of rough contacts `other` is a site, of smooth ones a body: a
+/// vertex that slides from one edge of a boundary to the next stays in the same contact. With cells n of the lattice the
+/// contact is about x_site - x_other - n.
+struct TouchKey {
+  std::int32_t site = 0, other = 0;
+  std::array<std::int32_t, 3> cells{};
+  auto operator<=>(const TouchKey&) const = default;
+};
+
+/// A contact and its tangential spring.
+struct Touch {
+  TouchKey key;
+  ContactState state = ContactState::stick;
+  /// Integral of the tangential velocity of the site relative to the other side, along t = (-n_y, n_x), n toward the
+  /// site [length].
+  double elongation = 0;
+};
+
+/// Contacts that touch, in ascending order of their keys. One that opens leaves, and forgets.
+struct TouchTable {
+  std::vector<Touch> rows;
+
+  /// The row of that key; null: it did not touch.
+  const Touch* find(const TouchKey& key) const {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), key,
+                                     [](const Touch& touch, const TouchKey& k) { return touch.key < k; });
+    return at != rows.end() && at->key == key ? &*at : nullptr;
+  }
+};
+
+/// A permanent link of two sites of different bodies: it never opens and keeps its image,
+/// x_second - x_first - n for its cells n of the lattice.
+struct Link {
+  std::int32_t first = 0, second = 0;
+  std::array<std::int32_t, 3> cells{};
+  double rest = 0;        ///< distance without force [length]
+  double elongation = 0;  ///< tangential, of second relative to first along t = (-n_y, n_x), n toward second [length]
+};
+
+}  // namespace supple
