@@ -36,15 +36,16 @@ template <class S, class Flag>
 
 enum class Part { edge, corner };
 
-/// Signed distance from an edge or a corner, its gradient by the site's position, and where on the edge.
-struct Touch {
+/// The nearest point of an edge or a corner: signed distance from it, its gradient by the site's position,
+/// and where on the edge.
+struct Foot {
   double distance;
   Vec2 normal;
   double along = 0;
 };
 
 /// The choice is made by data, not by branches.
-inline Touch touch_of(const CornerPlace<double, bool>& at, const EdgeCandidate& c, Part part) {
+inline Foot foot_on(const CornerPlace<double, bool>& at, const EdgeCandidate& c, Part part) {
   const bool edge = part == Part::edge;
   const double square = dot(at.to, at.to), per_square = 1 / (edge ? at.square : square);
   if (!edge & (square == 0)) return {0, arbitrary_direction<2>(c.site, c.start)};
@@ -114,7 +115,7 @@ void select(const Scene& scene, std::vector<std::int32_t>& selected) {
 struct Inside {
   const EdgeCandidate* candidate = nullptr;  ///< null: not inside
   Part part = Part::edge;
-  Touch touch{};
+  Foot touch{};
 };
 
 Inside find_inside(const Scene& scene, std::int32_t begin, std::int32_t end) {
@@ -125,11 +126,11 @@ Inside find_inside(const Scene& scene, std::int32_t begin, std::int32_t end) {
     const auto at = scene.place(c);
     if (at.over_edge && at.height * at.height < least * at.square) {
       least = at.height * at.height / at.square;
-      nearest = {at.height < 0 ? &c : nullptr, Part::edge, touch_of(at, c, Part::edge)};
+      nearest = {at.height < 0 ? &c : nullptr, Part::edge, foot_on(at, c, Part::edge)};
     }
     if (!at.over_start && !at.over_last && dot(at.to, at.to) < least) {
       least = dot(at.to, at.to);
-      const Touch touch = touch_of(at, c, Part::corner);
+      const Foot touch = foot_on(at, c, Part::corner);
       nearest = {at.convex ? nullptr : &c, Part::corner, {-touch.distance, -touch.normal}};
     }
   }
@@ -165,11 +166,11 @@ inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
     const auto parts = parts_of(at, sigma);
     if (parts.act()) {
       const Part first = parts.faces_edge ? Part::edge : Part::corner;
-      visit(c, first, touch_of(at, c, first), sigma, parts.faces_edge ? 1 : parts.corner());
+      visit(c, first, foot_on(at, c, first), sigma, parts.faces_edge ? 1 : parts.corner());
       met = true;
     }
     if (parts.faces_edge && parts.corner() != 0)
-      visit(c, Part::corner, touch_of(at, c, Part::corner), sigma, parts.corner());
+      visit(c, Part::corner, foot_on(at, c, Part::corner), sigma, parts.corner());
     arcs += parts.faces_edge + parts.corner();
     behind |= parts.behind();
   }
@@ -186,7 +187,7 @@ void walk_discs(const System<2>& system, EdgeCandidates& candidates, const Meet&
     const Vec2 r = state.position[j] - state.position[i] - shifts[candidates.images().index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
     if (distance < sigma)
-      meet(row, i, j, Touch{distance, distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j)},
+      meet(row, i, j, Foot{distance, distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j)},
            sigma);
   }
 }
@@ -202,7 +203,7 @@ template <bool energies>
 void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& sum) {
   const Harmonic law_here = law();
   Vec2* force = out.force.data();
-  const auto push_off = [&](std::int32_t site, const Touch& touch, double sigma, double factor) {
+  const auto push_off = [&](std::int32_t site, const Foot& touch, double sigma, double factor) {
     const Vec2 push = (factor * law_here.force(touch.distance, sigma)) * touch.normal;
     force[site] += push;
     if constexpr (energies) {
@@ -212,14 +213,14 @@ void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& s
     return push;
   };
   walk_discs(system, candidates_,
-             [&](std::int32_t, std::int32_t i, std::int32_t j, const Touch& touch, double sigma) {
+             [&](std::int32_t, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
                force[i] -= push_off(j, touch, sigma, 1);
              });
   const Scene scene{system, candidates_.all(), candidates_.shifts(system.box)};
   select(scene, selected_);
   walk(
       scene, selected_, candidates_.group_begin(),
-      [&](const EdgeCandidate& c, Part, const Touch& touch, double sigma, int sign) {
+      [&](const EdgeCandidate& c, Part, const Foot& touch, double sigma, int sign) {
         const Vec2 push = push_off(c.site, touch, sigma, sign * c.scale), at_end = touch.along * push;
         force[c.start] -= push - at_end;
         force[c.end] -= at_end;
@@ -241,7 +242,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   candidates_.update(system);
   std::vector<ContactRecord<2>> records;
   std::int32_t touches = 0;
-  const auto begin = [&](const Touch& touch, double sigma, double factor,
+  const auto begin = [&](const Foot& touch, double sigma, double factor,
                          const Vec2& cells) -> ContactRecord<2>& {
     ContactRecord<2>& record = records.emplace_back();
     record.normal = touch.normal;
@@ -254,7 +255,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
     return record;
   };
   walk_discs(system, candidates_,
-             [&](std::int32_t row, std::int32_t i, std::int32_t j, const Touch& touch, double sigma) {
+             [&](std::int32_t row, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
                ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
                record.row = row;
                record.add(i, -1);
@@ -265,7 +266,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   select(scene, selected_);
   walk(
       scene, selected_, candidates_.group_begin(),
-      [&](const EdgeCandidate& c, Part part, const Touch& touch, double sigma, int sign) {
+      [&](const EdgeCandidate& c, Part part, const Foot& touch, double sigma, int sign) {
         ContactRecord<2>& record = begin(touch, sigma, sign * c.scale, -candidates_.cells(c.image));
         record.add(c.site, 1);
         record.add(c.start, -(1 - touch.along));

@@ -10,9 +10,9 @@
 
 namespace supple {
 
-/// Which contact: a site, what it touches, and the image. Of rough contacts `other` is a site, of smooth ones a body: a
-/// vertex that slides from one edge of a boundary to the next stays in the same contact. With cells n of the lattice the
-/// contact is about x_site - x_other - n.
+/// Which contact: a site, what it touches, and the image. Of rough contacts `other` is a site, of smooth ones
+/// a body: a vertex that slides from one edge of a boundary to the next stays in the same contact. With cells
+/// n of the lattice the contact is about x_site - x_other - n.
 struct TouchKey {
   std::int32_t site = 0, other = 0;
   std::array<std::int32_t, 3> cells{};
@@ -23,8 +23,8 @@ struct TouchKey {
 struct Touch {
   TouchKey key;
   ContactState state = ContactState::stick;
-  /// Integral of the tangential velocity of the site relative to the other side, along t = (-n_y, n_x), n toward the
-  /// site [length].
+  /// Integral of the tangential velocity of the site relative to the other side, along t = (-n_y, n_x), n
+  /// toward the site [length].
   double elongation = 0;
 };
 
@@ -45,8 +45,9 @@ struct TouchTable {
 struct Link {
   std::int32_t first = 0, second = 0;
   std::array<std::int32_t, 3> cells{};
-  double rest = 0;        ///< distance without force [length]
-  double elongation = 0;  ///< tangential, of second relative to first along t = (-n_y, n_x), n toward second [length]
+  double rest = 0;  ///< distance without force [length]
+  double elongation =
+      0;  ///< tangential, of second relative to first along t = (-n_y, n_x), n toward second [length]
 };
 
 }  // namespace supple
