@@ -86,7 +86,7 @@ struct Bodies {
   double yield_strain = 0, flow_time = 0;
 };
 
-struct Touch {
+struct ContactOfBodies {
   std::string kind = "rough";
   double k_c = 1, k_p = 4, floor_friction = 0.1;
   std::string unsound = "stop";  ///< what happens when particles get into each other
@@ -149,7 +149,7 @@ struct Case {
   Stepping time;
   Preparation preparation;
   Bodies bodies;
-  Touch contact;
+  ContactOfBodies contact;
   Minimisation minimise;
   Jamming jamming;
   Compression compression;
@@ -183,7 +183,7 @@ const Fields<Preparation>& fields();
 template <>
 const Fields<Bodies>& fields();
 template <>
-const Fields<Touch>& fields();
+const Fields<ContactOfBodies>& fields();
 template <>
 const Fields<Minimisation>& fields();
 template <>

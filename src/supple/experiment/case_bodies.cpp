@@ -83,8 +83,8 @@ const Fields<Bodies>& fields() {
 }
 
 template <>
-const Fields<Touch>& fields() {
-  using T = Touch;
+const Fields<ContactOfBodies>& fields() {
+  using T = ContactOfBodies;
   static const Fields<T> all{
       {"kind",
        &T::kind,
