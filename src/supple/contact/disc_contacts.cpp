@@ -46,7 +46,7 @@ struct Touching {
   int links_begin() const { return batch_size - links; }
 };
 
-void separate(const System<2>& system, const Box<2>::Images images, Candidates& c) {
+void separate(const System<2>& system, const Lattice<2> images, Candidates& c) {
   const State<2>& s = system.state;
   for (int k = 0; k < c.count; ++k) {
     const auto i = system.pairs.first[c.begin + k], j = system.pairs.second[c.begin + k];
@@ -215,7 +215,7 @@ template <class R>
 void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail,
                              Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
-  const Box<2>::Images images = system.box.images();
+  const Lattice<2> images = system.box.lattice();
   const DiscLaw law = law_;
   const SlipRule slip(law.slip, law.contact.k_t);
   const double share = law.lever_arm == LeverArm::distance ? 1 : 0;

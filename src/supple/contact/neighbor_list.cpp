@@ -41,7 +41,7 @@ template <int Dim>
 class CarryOver {
  public:
   CarryOver(const System<Dim>& system, const PairTable& old, double skin, double reach)
-      : state_(system.state), old_(old), images_(system.box.images()) {
+      : state_(system.state), old_(old), images_(system.box.lattice()) {
     double shortest = std::numeric_limits<double>::infinity();
     for (int d = 0; d < Dim; ++d)
       if (system.box.periodic[d]) shortest = std::min(shortest, system.box.length[d]);
@@ -87,7 +87,7 @@ class CarryOver {
 
   const State<Dim>& state_;
   const PairTable& old_;
-  typename Box<Dim>::Images images_;
+  Lattice<Dim> images_;
   double longest_;
 };
 
@@ -131,7 +131,7 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   };
   const auto all = static_cast<std::int64_t>(position_at_build_.size());
   if (within([](Vec<Dim>&) {}) == all) return false;
-  return within([images = box.images()](Vec<Dim>& u) { images.reduce(u); }) != all;
+  return within([images = box.lattice()](Vec<Dim>& u) { images.reduce(u); }) != all;
 }
 
 template <int Dim>

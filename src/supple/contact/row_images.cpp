@@ -34,7 +34,7 @@ void RowImages<Dim>::find(const System<Dim>& system) {
   const PairTable& pairs = system.pairs;
   cells_.assign(1, Vec<Dim>{});
   index_.resize(static_cast<std::size_t>(pairs.size()));
-  const auto images = system.box.images();
+  const auto images = system.box.lattice();
   for (int row = 0; row < pairs.size(); ++row) {
     Vec<Dim> r = system.state.position[pairs.second[row]] - system.state.position[pairs.first[row]];
     const Vec<Dim> cells = images.reduce(r);
@@ -47,10 +47,8 @@ void RowImages<Dim>::find(const System<Dim>& system) {
 template <int Dim>
 const std::vector<Vec<Dim>>& RowImages<Dim>::shifts(const Box<Dim>& box) {
   shifts_.resize(cells_.size());
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    for (int d = 0; d < Dim; ++d) shifts_[k][d] = cells_[k][d] * box.length[d];
-    shifts_[k][flow] += cells_[k][gradient] * (box.strain * box.length[gradient]);
-  }
+  const Lattice<Dim> lattice = box.lattice();
+  for (std::size_t k = 0; k < cells_.size(); ++k) shifts_[k] = lattice.vector(cells_[k]);
   return shifts_;
 }
 

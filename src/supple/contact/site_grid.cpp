@@ -122,11 +122,11 @@ void SiteGrid<Dim>::search_rows(int d, long row, Search& search) const {
   const long last = to_cell((at[d] + search.reach) * level.per_cell[d], least, most);
   for (long c = to_cell((at[d] - search.reach) * level.per_cell[d], least, most); c <= last; ++c) {
     const long image = periodic ? floor_divide(c, n) : 0;
-    const auto up = static_cast<double>(image);
     search.at = at;
     if (image != 0) {
-      search.at[d] -= up * box_.length[d];
-      if (d == gradient) search.at[flow] -= up * box_.strain * box_.length[gradient];
+      Vec<Dim> cells{};
+      cells[d] = static_cast<double>(image);
+      search.at = at - box_.lattice().vector(cells);
     }
     search_rows(d - 1, row * n + c - image * n, search);
   }

@@ -3,12 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "supple/core/vec.hpp"
+#include "supple/model/lattice.hpp"
 
 namespace supple {
-
-inline constexpr int flow = 0;      ///< direction of the flow
-inline constexpr int gradient = 1;  ///< direction of the velocity gradient
 
 /// A cell [0, length). `strain` is the accumulated shear strain (never wrapped) and `strain_rate` its rate:
 /// the image one cell up (gradient) is displaced by +strain * length[gradient] along the flow [Lees & Edwards
@@ -26,46 +23,21 @@ struct Box {
     bool crosses;  ///< whether any image but the one in this cell was taken
   };
 
-  /// The rule of nearest images at this instant, divisions done: for loops over many pairs.
-  struct Images {
-    Vec<Dim> length, per_length;  ///< per_length: 1/length, 0 where the cell is not periodic
-    double shift;                 ///< of the image one cell up, along the flow
-    /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Free of branches.
-    Vec<Dim> reduce(Vec<Dim>& r) const {
-      Vec<Dim> cells;
-      cells[gradient] = std::floor(r[gradient] * per_length[gradient] + 0.5);
-      r[gradient] -= cells[gradient] * length[gradient];
-      r[flow] -= cells[gradient] * shift;
-      for (int d = 0; d < Dim; ++d) {
-        if (d == gradient) continue;
-        cells[d] = std::floor(r[d] * per_length[d] + 0.5);
-        r[d] -= cells[d] * length[d];
-      }
-      return cells;
-    }
-    /// Subtracts that many cells from r, by the operations of reduce().
-    void subtract(const Vec<Dim>& cells, Vec<Dim>& r) const {
-      r[gradient] -= cells[gradient] * length[gradient];
-      r[flow] -= cells[gradient] * shift;
-      for (int d = 0; d < Dim; ++d)
-        if (d != gradient) r[d] -= cells[d] * length[d];
-    }
-  };
-  Images images() const {
-    Images rule{length, {}, strain * length[gradient]};
-    for (int d = 0; d < Dim; ++d) rule.per_length[d] = periodic[d] ? 1 / length[d] : 0;
-    return rule;
+  Lattice<Dim> lattice() const {
+    Lattice<Dim> images{length, {}, strain * length[gradient]};
+    for (int d = 0; d < Dim; ++d) images.per_length[d] = periodic[d] ? 1 / length[d] : 0;
+    return images;
   }
 
   Separation separation(const Vec<Dim>& a, const Vec<Dim>& b) const {
     Separation s{b - a, 0, false};
-    note(images().reduce(s.r), s);
+    note(lattice().reduce(s.r), s);
     return s;
   }
   /// Vector from a to the image of b that many cells away, however far.
   Separation separation(const Vec<Dim>& a, const Vec<Dim>& b, const Vec<Dim>& cells) const {
     Separation s{b - a, 0, false};
-    images().subtract(cells, s.r);
+    lattice().subtract(cells, s.r);
     note(cells, s);
     return s;
   }
@@ -75,7 +47,7 @@ struct Box {
   Vec<Dim> displacement(const Vec<Dim>& a, const Vec<Dim>& b) const { return separation(a, b).r; }
 
   /// Velocity of image `up` cells above, relative to its original: subtract from v_b - v_a of a Separation.
-  Vec<Dim> velocity_jump(int up) const {
+  Vec<Dim> velocity_jump(double up) const {
     Vec<Dim> jump{};
     jump[flow] = up * (strain_rate * length[gradient]);
     return jump;
@@ -91,21 +63,9 @@ struct Box {
   /// Brings x into the cell and changes v by the velocity of the boundary that it crossed. Returns the cells
   /// that were subtracted, by direction.
   Vec<Dim> wrap(Vec<Dim>& x, Vec<Dim>& v) const {
-    Vec<Dim> subtracted{};
-    const auto outside = [&](int d) { return periodic[d] && !(0 <= x[d] && x[d] < length[d]); };
-    if (outside(gradient)) {
-      const double cells = std::floor(x[gradient] / length[gradient]);
-      x[gradient] -= cells * length[gradient];
-      x[flow] -= cells * (strain * length[gradient]);
-      v[flow] -= cells * (strain_rate * length[gradient]);
-      subtracted[gradient] = cells;
-    }
-    for (int d = 0; d < Dim; ++d) {
-      if (d == gradient || !outside(d)) continue;
-      subtracted[d] = std::floor(x[d] / length[d]);
-      x[d] -= subtracted[d] * length[d];
-    }
-    return subtracted;
+    const Vec<Dim> cells = lattice().wrap(x);
+    v[flow] -= velocity_jump(cells[gradient])[flow];
+    return cells;
   }
 
   Vec<Dim> centre() const { return 0.5 * length; }

@@ -24,7 +24,7 @@ void cut_if_linked(PairTable& pairs, std::int32_t row) {
 double nearest_distance(const Box<2>& box, const Vec2& a, const Vec2& b) {
   const double width = box.length[flow], height = box.length[gradient];
   const auto distance_to_row = [&](double row) {
-    Vec2 r = b - a + row * Vec2{box.strain * height, height};
+    Vec2 r = b - a + box.lattice().vector({0, row});
     if (box.periodic[flow]) r[flow] -= width * std::round(r[flow] / width);
     return norm(r);
   };

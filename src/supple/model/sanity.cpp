@@ -80,7 +80,7 @@ class Judge {
         "beyond {:g} radii of the smallest site, {:.6g}, contacts would not be resolved", farthest, reach);
     if (!within(system_.box.length))
       refuse(fmt::format("its cell is {:.6g} x {:.6g}", system_.box.length[0], system_.box.length[1]), why);
-    if (std::abs(system_.box.strain) * system_.box.length[gradient] > reach)
+    if (std::abs(system_.box.lattice().shift) > reach)
       refuse(fmt::format("its strain is {:.6g}", system_.box.strain), why);
     for (std::size_t i = 0; i < s.position.size(); ++i)
       if (!within(s.position[i]))

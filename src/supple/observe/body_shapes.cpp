@@ -41,20 +41,9 @@ Bounds bounds_with_discs(const BodyShape& shape) {
   return all;
 }
 
-/// Displacement of the copy `across` cells along the flow and `up` cells along the gradient.
-Vec2 lattice_vector(const Box<2>& box, double across, double up) {
-  Vec2 shift;
-  shift[flow] = across * box.length[flow] + up * box.strain * box.length[gradient];
-  shift[gradient] = up * box.length[gradient];
-  return shift;
-}
-
 void bring_into_cell(BodyShape& shape, const Box<2>& box) {
   const Vec2 middle = 0.5 * (shape.bounds.low + shape.bounds.high);
-  const double up = box.periodic[gradient] ? std::floor(middle[gradient] / box.length[gradient]) : 0;
-  const double along = middle[flow] - lattice_vector(box, 0, up)[flow];
-  const double across = box.periodic[flow] ? std::floor(along / box.length[flow]) : 0;
-  const Vec2 shift = lattice_vector(box, -across, -up);
+  const Vec2 shift = -box.lattice().vector(box.lattice().cell_of(middle));
   for (Vec2& x : shape.ring) x += shift;
   shape.bounds = shape.bounds.shifted(shift);
 }
@@ -121,11 +110,11 @@ std::vector<BodyImage> images_in(const Bounds& region, std::span<const BodyShape
     const auto [lowest, highest] = cells(gradient, own.low[gradient], own.high[gradient]);
     if (!(highest - lowest < most_copies)) refuse_copies(body, own, box);
     for (double up = lowest; up <= highest; ++up) {
-      const double sheared = lattice_vector(box, 0, up)[flow];
+      const double sheared = box.lattice().vector({0, up})[flow];
       const auto [first, last] = cells(flow, own.low[flow] + sheared, own.high[flow] + sheared);
       if (!(last - first < most_copies)) refuse_copies(body, own, box);
       for (double across = first; across <= last; ++across) {
-        const Vec2 shift = lattice_vector(box, across, up);
+        const Vec2 shift = box.lattice().vector({across, up});
         const Bounds bounds = own.shifted(shift);
         if (!bounds.meets(region)) continue;
         images.push_back({body, shift, bounds});

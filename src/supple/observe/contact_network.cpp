@@ -44,7 +44,7 @@ ContactNetwork::Pair pair_of(const Box<2>& box, const SiteContact& c) {
     return box.periodic[d] ? static_cast<std::int32_t>(std::lround(length / box.length[d])) : 0;
   };
   const std::int32_t up = cells(gradient, shift[gradient]);
-  const std::int32_t across = cells(flow, shift[flow] - up * box.strain * box.length[gradient]);
+  const std::int32_t across = cells(flow, shift[flow] - up * box.lattice().shift);
   return {turned ? c.other_body : c.body, turned ? c.body : c.other_body, across, up, 1};
 }
 

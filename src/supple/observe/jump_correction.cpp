@@ -10,7 +10,7 @@ namespace {
 Vec2 unwrapped(const Box<2>& box, const Vec2& before, Vec2 now) {
   const double up = std::round((before[gradient] - now[gradient]) / box.length[gradient]);
   now[gradient] += up * box.length[gradient];
-  now[flow] += up * (box.strain * box.length[gradient]);
+  now[flow] += up * box.lattice().shift;
   now[flow] += std::round((before[flow] - now[flow]) / box.length[flow]) * box.length[flow];
   return now;
 }

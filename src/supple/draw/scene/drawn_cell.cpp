@@ -16,8 +16,12 @@ Box<2> sheared(Box<2> box, double strain) {
   return box;
 }
 
+namespace {
+Lattice<2> drawn_lattice(const Box<2>& box) { return sheared(box, drawn_strain(box)).lattice(); }
+}  // namespace
+
 std::array<Vec2, 4> cell_corners(const Box<2>& box) {
-  const double lx = box.length[flow], ly = box.length[gradient], lean = 0.5 * drawn_strain(box) * ly;
+  const double lx = box.length[flow], ly = box.length[gradient], lean = 0.5 * drawn_lattice(box).shift;
   return {{{-lean, 0}, {lx - lean, 0}, {lx + lean, ly}, {lean, ly}}};
 }
 
@@ -57,9 +61,7 @@ std::vector<Vec2> neighbour_cells(const Box<2>& box) {
   std::vector<Vec2> shifts{{0, 0}};
   for (int q = -up; q <= up; ++q)
     for (int p = -across; p <= across; ++p)
-      if (p != 0 || q != 0)
-        shifts.push_back(
-            {p * box.length[flow] + q * drawn_strain(box) * box.length[gradient], q * box.length[gradient]});
+      if (p != 0 || q != 0) shifts.push_back(drawn_lattice(box).vector({1.0 * p, 1.0 * q}));
   return shifts;
 }
 

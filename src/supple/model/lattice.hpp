@@ -1,0 +1,66 @@
+/// The lattice of periodic images: the only place that knows strain x length.
+#pragma once
+#include <cmath>
+
+#include "supple/core/vec.hpp"
+
+namespace supple {
+
+inline constexpr int flow = 0;      ///< direction of the flow
+inline constexpr int gradient = 1;  ///< direction of the velocity gradient
+
+/// Images of a rectangular cell at one instant, divisions done: for loops over many pairs. The image n is displaced by
+/// n_d length_d, and n_gradient shift along the flow.
+template <int Dim>
+struct Lattice {
+  Vec<Dim> length, per_length;  ///< per_length: 1/length, 0 where the cell is not periodic
+  double shift;                 ///< strain * length[gradient]: of the image one cell up [Lees & Edwards 1972]
+
+  Vec<Dim> vector(const Vec<Dim>& cells) const {
+    Vec<Dim> v;
+    for (int d = 0; d < Dim; ++d) v[d] = cells[d] * length[d];
+    v[flow] += cells[gradient] * shift;
+    return v;
+  }
+  /// Subtracts that many cells from r, by the operations of reduce().
+  void subtract(const Vec<Dim>& cells, Vec<Dim>& r) const {
+    r[gradient] -= cells[gradient] * length[gradient];
+    r[flow] -= cells[gradient] * shift;
+    for (int d = 0; d < Dim; ++d)
+      if (d != gradient) r[d] -= cells[d] * length[d];
+  }
+  /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Exact for distances up to half
+  /// of the shortest length. Free of branches.
+  Vec<Dim> reduce(Vec<Dim>& r) const {
+    Vec<Dim> cells;
+    cells[gradient] = std::floor(r[gradient] * per_length[gradient] + 0.5);
+    r[gradient] -= cells[gradient] * length[gradient];
+    r[flow] -= cells[gradient] * shift;
+    for (int d = 0; d < Dim; ++d) {
+      if (d == gradient) continue;
+      cells[d] = std::floor(r[d] * per_length[d] + 0.5);
+      r[d] -= cells[d] * length[d];
+    }
+    return cells;
+  }
+  /// Brings x into the cell [0, length); returns the cells that were subtracted, by direction.
+  Vec<Dim> wrap(Vec<Dim>& x) const {
+    Vec<Dim> cells{};
+    const auto outside = [&](int d) { return per_length[d] != 0 && !(0 <= x[d] && x[d] < length[d]); };
+    if (outside(gradient)) {
+      cells[gradient] = std::floor(x[gradient] / length[gradient]);
+      x[gradient] -= cells[gradient] * length[gradient];
+      x[flow] -= cells[gradient] * shift;
+    }
+    for (int d = 0; d < Dim; ++d) {
+      if (d == gradient || !outside(d)) continue;
+      cells[d] = std::floor(x[d] / length[d]);
+      x[d] -= cells[d] * length[d];
+    }
+    return cells;
+  }
+  /// The cell of x, by direction.
+  Vec<Dim> cell_of(Vec<Dim> x) const { return wrap(x); }
+};
+
+}  // namespace supple
