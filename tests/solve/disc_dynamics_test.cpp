@@ -80,7 +80,7 @@ TEST(DiscDynamics, NamesStepAndDiscWhenAValueIsNotFinite) {
     run(s, d, 1);
     FAIL();
   } catch (const std::exception& e) {
-    EXPECT_NE(std::string(e.what()).find("disc 7 is not finite at step 4"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("site 7 is not finite at step 4"), std::string::npos) << e.what();
   }
 }
 

@@ -9,8 +9,8 @@ namespace supple {
 inline constexpr int flow = 0;      ///< direction of the flow
 inline constexpr int gradient = 1;  ///< direction of the velocity gradient
 
-/// Images of a rectangular cell at one instant, divisions done: for loops over many pairs. The image n is displaced by
-/// n_d length_d, and n_gradient shift along the flow.
+/// Images of a rectangular cell at one instant, divisions done: for loops over many pairs. The image n is
+/// displaced by n_d length_d, and n_gradient shift along the flow.
 template <int Dim>
 struct Lattice {
   Vec<Dim> length, per_length;  ///< per_length: 1/length, 0 where the cell is not periodic
@@ -29,8 +29,8 @@ struct Lattice {
     for (int d = 0; d < Dim; ++d)
       if (d != gradient) r[d] -= cells[d] * length[d];
   }
-  /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Exact for distances up to half
-  /// of the shortest length. Free of branches.
+  /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Exact for distances
+  /// up to half of the shortest length. Free of branches.
   Vec<Dim> reduce(Vec<Dim>& r) const {
     Vec<Dim> cells;
     cells[gradient] = std::floor(r[gradient] * per_length[gradient] + 0.5);

@@ -28,18 +28,26 @@ typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int
 /// Cells that a site may leave behind at once: a coordinate of more has lost the digits that contacts need.
 inline constexpr double most_cells_passed = 1e6;
 
+/// Whether a site may leave that many cells behind: not where they are no numbers. Numerics error where they
+/// are more than `most_cells_passed`.
+template <int Dim>
+bool is_passable(std::int32_t site, const Vec<Dim>& cells) {
+  for (int d = 0; d < Dim; ++d) {
+    if (!std::isfinite(cells[d])) return false;
+    if (std::abs(cells[d]) > most_cells_passed)
+      throw numerics_error("site " + std::to_string(site) + " left a million cells behind",
+                           "the time step may be too large or the law too stiff", "reduce [time] step");
+  }
+  return true;
+}
+
 /// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left
 /// more cells behind than `most_cells_passed`; numbers that are not finite stay.
 template <int Dim>
 void wrap_site(System<Dim>& system, std::int32_t i) {
   const Vec<Dim> moved = system.box.wrap(system.state.position[i], system.state.velocity[i]);
   if (moved == Vec<Dim>{}) return;
-  for (int d = 0; d < Dim; ++d) {
-    if (!std::isfinite(moved[d])) return;
-    if (std::abs(moved[d]) > most_cells_passed)
-      throw numerics_error("site " + std::to_string(i) + " left a million cells behind",
-                           "the time step may be too large or the law too stiff", "reduce [time] step");
-  }
+  if (!is_passable(i, moved)) return;
   if (system.pairs.image.empty()) return;
   std::array<std::int32_t, 3> cells{};
   for (int d = 0; d < Dim; ++d) cells[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(moved[d]);

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "supple/model/pair_table.hpp"
@@ -13,11 +14,18 @@ namespace supple {
 /// Which contact: a site, what it touches, and the image. Of rough contacts `other` is a site, of smooth ones
 /// a body: a vertex that slides from one edge of a boundary to the next stays in the same contact. With cells
 /// n of the lattice the contact is about x_site - x_other - n.
+enum class TouchOn : std::uint8_t { site, body };
 struct TouchKey {
   std::int32_t site = 0, other = 0;
+  TouchOn on = TouchOn::site;  ///< what the number `other` is of
   std::array<std::int32_t, 3> cells{};
   auto operator<=>(const TouchKey&) const = default;
 };
+
+/// The body of the other side, of which `body` has that of each site.
+inline std::int32_t body_of_other(const TouchKey& key, std::span<const std::int32_t> body) {
+  return key.on == TouchOn::site ? body[key.other] : key.other;
+}
 
 /// A contact and its tangential spring.
 struct Touch {

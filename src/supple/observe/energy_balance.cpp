@@ -24,12 +24,16 @@ double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   return power;
 }
 
-/// A contact with an image closes at the speed of the image: its discs gain less than the contact gives.
+/// A contact with the image n_y cells up closes at the speed of that image: its sides gain F_x n_y Ly rate more than the
+/// contact gives. Sum F (n_y Ly) over contacts is what sum f x^T over the sites has beyond the virial, sum F l^T.
 double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
-  double power = 0;
-  for (const PairForce<2>& p : evaluation.pair)
-    if (p.active && p.up != 0) power -= dot(force_on_first(p), system.box.velocity_jump(p.up));
-  return power;
+  if (system.box.strain_rate == 0) return 0;
+  double sum = -evaluation.virial[flow][gradient];
+  for (int i = 0; i < system.state.size(); ++i)
+    sum += evaluation.force[i][flow] * system.state.position[i][gradient];
+  for (const SiteForce<2>& wall : evaluation.wall)
+    sum -= wall.force[flow] * system.state.position[wall.site][gradient];
+  return system.box.strain_rate * sum;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "supple/core/error.hpp"
-#include "supple/model/row_separation.hpp"
+#include "supple/model/body_flow.hpp"
 
 namespace supple {
 
@@ -24,48 +24,26 @@ void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
   }
 }
 
-/// Velocity relative to the flow and spin relative to its rotation, -rate/2, times `factor`.
-void damp(System<2>& system, double factor) {
-  State<2>& s = system.state;
-  const double rotation = -0.5 * system.box.strain_rate;
-  for (int i = 0; i < s.size(); ++i) {
-    s.spin[i] = rotation + (s.spin[i] - rotation) * factor;
-    if (s.mobility[i] != Mobility::free) continue;
-    const Vec2 u = system.box.flow_velocity(s.position[i]);
-    s.velocity[i] = u + factor * (s.velocity[i] - u);
-  }
-}
-
-void drift(System<2>& system, double dt) {
+/// Returns whether a body of many sites crossed the boundary.
+bool drift(System<2>& system, double dt) {
   State<2>& s = system.state;
   system.box.strain += system.box.strain_rate * dt;
   double finite = 0;  // becomes NaN with the first value that is not finite
   for (int i = 0; i < s.size(); ++i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
-    wrap_site(system, i);
     finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   }
-  if (finite == 0) return;
+  const bool crossed = wrap_bodies(system);
+  if (finite == 0) return crossed;
   for (int i = 0; i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
       throw numerics_error(
-          "disc " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
+          "site " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
           "the time step may be too large or the law too stiff", "reduce [time] step");
 }
 
 }  // namespace
-
-void set_strain_rate(System<2>& system, double rate) {
-  const double change = rate - system.box.strain_rate, middle = 0.5 * system.box.length[gradient];
-  system.box.strain_rate = rate;
-  if (change == 0) return;
-  State<2>& s = system.state;
-  for (int i = 0; i < s.size(); ++i) {
-    s.velocity[i][flow] += (s.position[i][gradient] - middle) * change;
-    s.spin[i] -= 0.5 * change;
-  }
-}
 
 void capture_at_boundaries(System<2>& system, Plates plates) {
   if (plates != Plates::capture) return;
@@ -98,16 +76,17 @@ void DiscDynamics::bring_to_instant(const System<2>& system, double rate_now, st
                                     std::vector<double>& spin) const {
   const State<2>& s = system.state;
   const Box<2>& box = system.box;
-  const double half = 0.5 * system.lag, change = rate_now - box.strain_rate, height = box.length[gradient];
+  const double half = 0.5 * system.lag, plate_speed = 0.5 * rate_now * box.length[gradient];
   for (int i = 0; i < s.size(); ++i) {
-    spin[i] += half / s.inertia[i] * evaluation_.torque[i] - 0.5 * change;
+    spin[i] += half / s.inertia[i] * evaluation_.torque[i];
+    velocity[i] += half / s.mass[i] * evaluation_.force[i];
+  }
+  change_flow(system, rate_now - box.strain_rate, velocity, spin);
+  for (int i = 0; i < s.size(); ++i) {
     switch (s.mobility[i]) {
-      case Mobility::free:
-        velocity[i] += half / s.mass[i] * evaluation_.force[i];
-        velocity[i][flow] += (s.position[i][gradient] - 0.5 * height) * change;
-        break;
-      case Mobility::lower_plate: velocity[i] = {-0.5 * rate_now * height, 0}; break;
-      case Mobility::upper_plate: velocity[i] = {0.5 * rate_now * height, 0}; break;
+      case Mobility::free: break;
+      case Mobility::lower_plate: velocity[i] = {-plate_speed, 0}; break;
+      case Mobility::upper_plate: velocity[i] = {plate_speed, 0}; break;
       case Mobility::fixed: velocity[i] = {}; break;
     }
   }
@@ -129,12 +108,12 @@ void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, doubl
   if (account_) account_->book(&EnergyFlows::shear_rate, 1, system);
   kick(system, evaluation_, half_before + half_after);
   if (account_) account_->book_contacts(system);
-  if (damping != 1) damp(system, damping);
+  if (damping != 1) damp_bodies(system, damping);
   if (account_) {
     account_->book(&EnergyFlows::background, -1, system);
     account_->book_boundaries(system, evaluation_, half_after);
   }
-  drift(system, dt);
+  if (drift(system, dt)) forces_.invalidate();  // its contacts are with other images now
   if (account_) account_->book(&EnergyFlows::images, 1, system);
   capture_at_boundaries(system, plates_);
   if (account_) account_->book(&EnergyFlows::plates, 1, system);

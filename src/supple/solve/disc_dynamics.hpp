@@ -1,6 +1,7 @@
 /// The documented microgel model in time: leapfrog, plates, damping relative to the flow.
 #pragma once
 #include "supple/force/force_field.hpp"
+#include "supple/model/body_flow.hpp"
 #include "supple/observe/energy_balance.hpp"
 #include "supple/solve/stepper.hpp"
 
@@ -37,10 +38,6 @@ class DiscDynamics : public Stepper {
   Plates plates_ = Plates::none;
   EnergyBalance* account_ = nullptr;
 };
-
-/// Changes the shear rate: every site takes the new flow velocity, v_x += (y - Ly/2) change, and spin -=
-/// change/2.
-void set_strain_rate(System<2>& system, double rate);
 
 /// With capturing plates: free discs that touch a plate join it; where the cell is not periodic they are
 /// fixed instead.

@@ -1,0 +1,132 @@
+#include "supple/model/body_flow.hpp"
+
+#include <algorithm>
+
+#include "supple/model/row_separation.hpp"
+
+namespace supple {
+
+namespace {
+
+/// visit(i) for each site of body b.
+template <class Visit>
+void for_sites(const System<2>& system, int b, const Visit& visit) {
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) visit(i);
+}
+
+bool is_one_site(const System<2>& system, int b) { return system.topology.body_size(b) == 1; }
+
+/// The contacts and links of body b are about the same images as before its sites moved by -n.
+void follow_body(System<2>& system, const std::vector<std::int32_t>& body, std::int32_t b, const Vec2& n) {
+  const auto shift = [&](std::array<std::int32_t, 3>& cells, int sign) {
+    for (int d = 0; d < 2; ++d) cells[static_cast<std::size_t>(d)] += sign * static_cast<std::int32_t>(n[d]);
+  };
+  for (Link& link : system.links) {
+    if (body[link.second] == b) shift(link.cells, -1);
+    if (body[link.first] == b) shift(link.cells, +1);
+  }
+  for (Touch& touch : system.touches.rows) {
+    if (body[touch.key.site] == b) shift(touch.key.cells, -1);
+    if (body_of_other(touch.key, body) == b) shift(touch.key.cells, +1);
+  }
+}
+
+}  // namespace
+
+BodyMotion body_motion(const System<2>& system, int b) {
+  const State<2>& s = system.state;
+  const int first = system.topology.body_begin(b);
+  if (is_one_site(system, b))
+    return {s.position[first], s.velocity[first], s.mass[first], s.inertia[first], s.spin[first]};
+  BodyMotion motion;
+  const Vec2 origin = s.position[first];  // keeps the digits of bodies that are far away
+  Vec2 moment{}, momentum{};
+  for_sites(system, b, [&](int i) {
+    motion.mass += s.mass[i];
+    moment += s.mass[i] * (s.position[i] - origin);
+    momentum += s.mass[i] * s.velocity[i];
+  });
+  motion.centre = origin + (1 / motion.mass) * moment;
+  motion.velocity = (1 / motion.mass) * momentum;
+  double angular = 0;
+  for_sites(system, b, [&](int i) {
+    const Vec2 arm = s.position[i] - motion.centre;
+    motion.inertia += s.mass[i] * dot(arm, arm);
+    angular += s.mass[i] * cross(arm, s.velocity[i] - motion.velocity);
+  });
+  motion.spin = motion.inertia > 0 ? angular / motion.inertia : 0;
+  return motion;
+}
+
+void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity, std::vector<double>& spin) {
+  const State<2>& s = system.state;
+  const double middle = 0.5 * system.box.length[gradient];
+  for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
+    if (is_one_site(system, b)) {
+      const int i = system.topology.body_begin(b);
+      velocity[i][flow] += (s.position[i][gradient] - middle) * change;
+      spin[i] -= 0.5 * change;
+      continue;
+    }
+    const Vec2 centre = body_motion(system, b).centre;
+    Vec2 of_centre{};
+    of_centre[flow] = (centre[gradient] - middle) * change;
+    for_sites(system, b, [&](int i) { velocity[i] += of_centre + cross(-0.5 * change, s.position[i] - centre); });
+  }
+}
+
+void set_strain_rate(System<2>& system, double rate) {
+  const double change = rate - system.box.strain_rate;
+  system.box.strain_rate = rate;
+  if (change != 0) change_flow(system, change, system.state.velocity, system.state.spin);
+}
+
+void damp_bodies(System<2>& system, double factor) {
+  State<2>& s = system.state;
+  const double rotation = -0.5 * system.box.strain_rate;
+  for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
+    const int i = system.topology.body_begin(b);
+    if (is_one_site(system, b)) {
+      s.spin[i] = rotation + (s.spin[i] - rotation) * factor;
+      if (s.mobility[i] != Mobility::free) continue;
+      const Vec2 u = system.box.flow_velocity(s.position[i]);
+      s.velocity[i] = u + factor * (s.velocity[i] - u);
+      continue;
+    }
+    const BodyMotion m = body_motion(system, b);
+    const Vec2 relative = m.velocity - system.box.flow_velocity(m.centre);
+    const double turning = m.spin - rotation;
+    for_sites(system, b, [&](int k) {
+      s.velocity[k] += (factor - 1) * (relative + cross(turning, s.position[k] - m.centre));
+    });
+  }
+}
+
+bool wrap_bodies(System<2>& system) {
+  State<2>& s = system.state;
+  if (system.topology.begin.empty()) {
+    for (int i = 0; i < s.size(); ++i) wrap_site(system, i);
+    return false;
+  }
+  bool moved = false;
+  std::vector<std::int32_t> body;
+  for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
+    Vec2 centre = body_motion(system, b).centre, velocity{};
+    const Vec2 n = system.box.wrap(centre, velocity);
+    if (n == Vec2{} || !is_passable(system.topology.body_begin(b), n)) continue;
+    const Vec2 back = system.box.lattice().vector(n);
+    for_sites(system, b, [&](int i) {
+      s.position[i] -= back;
+      s.velocity[i] += velocity;
+    });
+    if (body.empty()) body = bodies_of_sites(system.topology, s.size());
+    follow_body(system, body, b, n);
+    moved = true;
+  }
+  if (moved)
+    std::sort(system.touches.rows.begin(), system.touches.rows.end(),
+              [](const Touch& a, const Touch& b) { return a.key < b.key; });
+  return moved;
+}
+
+}  // namespace supple
