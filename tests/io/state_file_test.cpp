@@ -166,7 +166,7 @@ TEST_F(StateFile, ErrorsSayFileAndWhere) {
   EXPECT_THAT(file_error_of([&] { read("[1, 2]"); }), HasSubstr("is not an object"));
 
   EXPECT_THAT(error_with("\"initial\"", "\"start\""), HasSubstr("state.json has no \"initial\""));
-  EXPECT_THAT(error_with("\"m\": 1.3, ", ""), HasSubstr("state.json: initial.spheres[1] has no \"m\""));
+  EXPECT_THAT(error_with("\"m\": 1.3,\n", ""), HasSubstr("state.json: initial.spheres[1] has no \"m\""));
   EXPECT_THAT(error_with("\"r\": 60", "\"r\": -60"),
               HasSubstr("initial.spheres[0].r is -60.0, not positive"));
   EXPECT_THAT(error_with("\"m\": 1,", "\"m\": 0,"), HasSubstr("initial.spheres[0].m is 0, not positive"));

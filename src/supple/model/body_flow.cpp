@@ -58,7 +58,8 @@ BodyMotion body_motion(const System<2>& system, int b) {
   return motion;
 }
 
-void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity, std::vector<double>& spin) {
+void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity,
+                 std::vector<double>& spin) {
   const State<2>& s = system.state;
   const double middle = 0.5 * system.box.length[gradient];
   for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
@@ -71,7 +72,8 @@ void change_flow(const System<2>& system, double change, std::vector<Vec2>& velo
     const Vec2 centre = body_motion(system, b).centre;
     Vec2 of_centre{};
     of_centre[flow] = (centre[gradient] - middle) * change;
-    for_sites(system, b, [&](int i) { velocity[i] += of_centre + cross(-0.5 * change, s.position[i] - centre); });
+    for_sites(system, b,
+              [&](int i) { velocity[i] += of_centre + cross(-0.5 * change, s.position[i] - centre); });
   }
 }
 

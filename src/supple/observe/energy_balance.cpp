@@ -24,8 +24,9 @@ double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   return power;
 }
 
-/// A contact with the image n_y cells up closes at the speed of that image: its sides gain F_x n_y Ly rate more than the
-/// contact gives. Sum F (n_y Ly) over contacts is what sum f x^T over the sites has beyond the virial, sum F l^T.
+/// A contact with the image n_y cells up closes at the speed of that image: its sides gain F_x n_y Ly rate
+/// more than the contact gives. Sum F (n_y Ly) over contacts is what sum f x^T over the sites has beyond the
+/// virial, sum F l^T.
 double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
   if (system.box.strain_rate == 0) return 0;
   double sum = -evaluation.virial[flow][gradient];
