@@ -186,16 +186,13 @@ void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& syste
     const int lane = t.lane[a], row = c.begin + t.candidate[lane];
     const bool linked = lane >= t.links_begin();
     const PairStiffness& s = linked ? law.link : law.contact;
-    const double u = t.elongation[lane], u_new = t.new_elongation[lane], v_t = t.v_t[lane];
     sum.energy.elastic += elastic_energy(repulsion, law, t.distance[lane], t.d0[lane], linked);
-    sum.energy.tangential += 0.5 * s.k_t * u_new * u_new;
     sum.energy.viscous_power += s.eta * t.v_n[lane] * t.v_n[lane];
-    const bool slides = out.trial_state[row] == ContactState::slip;
-    const double viscous = slides && law.slip != Slip::clamp ? 0 : s.eta_t * v_t * v_t;
-    sum.energy.tangential_viscous_power += viscous;
-    if (slides && dt > 0)
-      sum.energy.sliding_power +=
-          t.tangential[lane] * v_t - viscous - 0.5 * s.k_t * (u_new * u_new - u * u) / dt;
+    const TangentialBooks books = book({t.tangential[lane], t.new_elongation[lane], out.trial_state[row]},
+                                       t.elongation[lane], t.v_t[lane], dt, s.k_t, s.eta_t, law.slip);
+    sum.energy.tangential += books.energy;
+    sum.energy.tangential_viscous_power += books.viscous_power;
+    sum.energy.sliding_power += books.sliding_power;
     sum.virial.add_outer(-t.distance[lane], force_on_first(out.pair[row]), out.pair[row].normal);
   }
 }

@@ -16,22 +16,6 @@ struct EdgeCandidates::Found {
   auto key() const { return std::tuple_cat(group(), std::tuple(start)); }
 };
 
-namespace {
-
-/// Neighbours of a vertex on its ring.
-struct Ring {
-  std::int32_t begin, end;
-  std::int32_t after(std::int32_t k) const { return k + 1 < end ? k + 1 : begin; }
-  std::int32_t before(std::int32_t k) const { return k > begin ? k - 1 : end - 1; }
-  bool is_disc() const { return end - begin < 3; }
-};
-
-Ring ring_of(const Topology<2>& topology, std::int32_t body) {
-  return {topology.body_begin(body), topology.body_end(body)};
-}
-
-}  // namespace
-
 void EdgeCandidates::update(const System<2>& system) {
   if (!images_.update(system)) return;
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
@@ -101,10 +85,9 @@ void EdgeCandidates::arrange(const System<2>& system, const std::vector<std::int
     const bool same_group = k > 0 && f.group() == sorted[k - 1].group();
     if (!same_group) group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
     const Ring ring = ring_of(system.topology, f.body);
-    const bool from_disc = ring_of(system.topology, body[f.site]).is_disc();
+    const double scale = edge_scale(ring_of(system.topology, body[f.site]));
     const auto group = static_cast<std::int32_t>(group_begin_.size()) - 1;
-    all_.push_back(
-        {f.site, ring.before(f.start), f.start, ring.after(f.start), f.image, group, from_disc ? 1.0 : 0.5});
+    all_.push_back({f.site, ring.before(f.start), f.start, ring.after(f.start), f.image, group, scale});
   }
   group_begin_.push_back(static_cast<std::int32_t>(all_.size()));
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "supple/contact/row_images.hpp"
+#include "supple/model/ring.hpp"
 
 namespace supple {
 
@@ -15,6 +16,9 @@ struct EdgeCandidate {
   std::int32_t group;               ///< of EdgeCandidates::group_begin()
   double scale;                     ///< factor on energy and force
 };
+
+/// Factor on energy and force of a vertex against a boundary: two bodies meet twice, a disc and a body once.
+inline double edge_scale(const Ring& of_site) { return of_site.is_disc() ? 1.0 : 0.5; }
 
 /// Derived from the rows of a pair table made with Meeting::facets whenever they change. Candidates are in
 /// the order (site, body, image, edge), which is that of sums; those with the same site, body and image form

@@ -42,4 +42,20 @@ inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, d
           sticks ? ContactState::stick : ContactState::slip};
 }
 
+/// Energy that the spring stores [energy], and power lost to the dashpot and by sliding [energy/time].
+struct TangentialBooks {
+  double energy, viscous_power, sliding_power;
+};
+
+/// The books of a response to v_t over dt from the elongation u. Only a slip that holds u back to the limit
+/// still has a dashpot.
+inline TangentialBooks book(const TangentialResponse& r, double u, double v_t, double dt, double k_t,
+                            double eta_t, Slip slip) {
+  const bool slides = r.state == ContactState::slip;
+  const double viscous = slides && slip != Slip::clamp ? 0 : eta_t * v_t * v_t;
+  const double sliding =
+      slides && dt > 0 ? r.force * v_t - viscous - 0.5 * k_t * (r.elongation * r.elongation - u * u) / dt : 0;
+  return {0.5 * k_t * r.elongation * r.elongation, viscous, sliding};
+}
+
 }  // namespace supple
