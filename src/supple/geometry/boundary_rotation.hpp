@@ -1,0 +1,94 @@
+/// How fast a piece of a boundary turns, from the velocities of its vertices.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "supple/model/ring.hpp"
+#include "supple/model/state.hpp"
+
+namespace supple {
+
+/// Sites at the time `back` before the present one, as their present velocities have carried them; 0: as
+/// they are. A leapfrog's velocities are exact half a step back, so that the motion v (rigid rotation) about
+/// positions x - back v is free of the error of second order which it has about x.
+struct Instant {
+  const State<2>& state;
+  double back = 0;  ///< [time]
+
+  Vec2 position(std::int32_t a) const { return state.position[a] - back * state.velocity[a]; }
+  Vec2 edge(std::int32_t a, std::int32_t b) const {
+    return state.position[b] - state.position[a] - back * (state.velocity[b] - state.velocity[a]);
+  }
+  /// What turns a disc as the straight steps of its neighbours turn them: a point at angle 0 that moves
+  /// straight on to the angle w back in the time `back` has the angular velocity tan(w back)/back.
+  double spin(std::int32_t a) const {
+    return back > 0 ? std::tan(back * state.spin[a]) / back : state.spin[a];
+  }
+};
+
+/// A rotation rate that is linear in velocities and spins, w = sum W_k . v_k + sum S_k w_k; a torque T on
+/// what turns so acts as forces W_k T and torques S_k T, of the same power T w. Forces add to zero and their
+/// torques, with the spins', to T times the sum of the shares that were added.
+class BoundaryRotation {
+ public:
+  void clear() {
+    sites_.clear();
+    spins_.clear();
+  }
+  /// Share of the edge from a to b: w = (v_b - v_a) . m / l, l its length and m its normal on the left.
+  void add_edge(double share, std::int32_t a, std::int32_t b, const Instant& at) {
+    const Vec2 e = at.edge(a, b);
+    add_difference(share / dot(e, e), a, b, e);
+  }
+  /// Share of a vertex: the mean of its two edges, weighted by their lengths; of a disc, its spin.
+  void add_vertex(double share, const Ring& ring, std::int32_t i, const Instant& at) {
+    if (ring.is_disc()) {
+      spins_.push_back({i, share});
+      return;
+    }
+    const std::int32_t before = ring.before(i), after = ring.after(i);
+    const Vec2 last = at.edge(before, i), next = at.edge(i, after);
+    const double l = norm(last), m = norm(next), per_length = share / (l + m);
+    add_difference(per_length / l, before, i, last);
+    add_difference(per_length / m, i, after, next);
+  }
+
+  /// [1/time].
+  double rate(const Instant& at) const {
+    double w = 0;
+    for (const SiteShare& s : sites_) w += dot(s.weight, at.state.velocity[s.site]);
+    for (const SpinShare& s : spins_) w += s.share * at.spin(s.site);
+    return w;
+  }
+  /// Adds the forces and torques of a torque, and sum f x^T of the forces [energy].
+  void apply(double torque, const State<2>& state, std::vector<Vec2>& forces, std::vector<double>& torques,
+             Mat2& virial) const {
+    for (const SiteShare& s : sites_) {
+      forces[s.site] += torque * s.weight;
+      virial.add_outer(torque, s.weight, state.position[s.site]);
+    }
+    for (const SpinShare& s : spins_) torques[s.site] += s.share * torque;
+  }
+
+ private:
+  struct SiteShare {
+    std::int32_t site;
+    Vec2 weight;  ///< [1/length]
+  };
+  struct SpinShare {
+    std::int32_t site;
+    double share;
+  };
+
+  void add_difference(double factor, std::int32_t a, std::int32_t b, const Vec2& edge) {
+    const Vec2 weight = factor * turned_left(edge);
+    sites_.push_back({a, -weight});
+    sites_.push_back({b, weight});
+  }
+
+  std::vector<SiteShare> sites_;
+  std::vector<SpinShare> spins_;
+};
+
+}  // namespace supple
