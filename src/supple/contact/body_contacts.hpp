@@ -7,6 +7,7 @@
 #include "supple/contact/record.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/hessian.hpp"
+#include "supple/model/ring.hpp"
 
 namespace supple {
 
@@ -30,6 +31,8 @@ class BodyContacts {
   void set_law(const Harmonic& law) { law_ = law; }
   /// What the neighbour list must find for these contacts.
   virtual Meeting meeting() const = 0;
+  /// Factor on the law's energy and force for contacts of a site of such a body.
+  virtual double scale(const Ring&) const { return 1; }
   /// Adds forces and, with Detail::energies, energy.elastic and the virial.
   virtual void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) = 0;
   /// Every contact as a record, in the order in which they act.

@@ -32,7 +32,7 @@ void RoughContacts::for_touching(const System<2>& system, int begin, int end, Su
     Vec2 r{position[j][0] - position[i][0] - shift[0], position[j][1] - position[i][1] - shift[1]};
     const double sigma = radius[i] + radius[j], square = dot(r, r);
     // Measured: a batch that need not guess whether rows touch gains nothing, as gathering it costs as much.
-    if (!(square < sigma * sigma)) continue;
+    if (!(square < sigma * sigma) || (!linked_.empty() && is_linked(system, row))) continue;
     double distance = std::sqrt(square), per_distance = 1 / distance;
     if (distance == 0) r = arbitrary_direction<2>(i, j), per_distance = 1;
     const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;
@@ -79,8 +79,14 @@ void RoughContacts::gather(const PairTable& pairs, int sites, Evaluation<2>& out
   });
 }
 
+bool RoughContacts::is_linked(const System<2>& system, int row) const {
+  return linked_.contains(touch_key(system.pairs.second[row], TouchOn::site, system.pairs.first[row],
+                                    images_.cells()[images_.index()[row]]));
+}
+
 void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
   images_.update(system);
+  linked_.update(system, meeting());
   shifts_ = images_.shifts(system.box);
   if (detail == Detail::forces) {
     add_all<false>(system, out);
@@ -93,6 +99,7 @@ void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<
 
 std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
   images_.update(system);
+  linked_.update(system, meeting());
   const std::vector<Vec2>& shifts = images_.shifts(system.box);
   const State<2>& state = system.state;
   std::vector<ContactRecord<2>> records;
@@ -100,7 +107,7 @@ std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
     const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
     const Vec2 r = state.position[j] - state.position[i] - shifts[images_.index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < sigma)) continue;
+    if (!(distance < sigma) || is_linked(system, row)) continue;
     ContactRecord<2> record;
     record.normal = distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j);
     record.branch = r;

@@ -2,6 +2,7 @@
 #pragma once
 #include "supple/contact/back_rows.hpp"
 #include "supple/contact/body_contacts.hpp"
+#include "supple/contact/linked_touches.hpp"
 #include "supple/contact/row_images.hpp"
 
 namespace supple {
@@ -23,7 +24,10 @@ class RoughContacts final : public BodyContacts {
   Sum add_all(const System<2>& system, Evaluation<2>& out);
   void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
+  bool is_linked(const System<2>& system, int row) const;
+
   RowImages<2> images_;
+  LinkedTouches linked_;
   std::vector<Vec2> shifts_;
   BackRows back_rows_;
   std::vector<Vec2> push_;  ///< of each row on its second site, with several threads

@@ -177,27 +177,45 @@ inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
   if (last) close_group();
 }
 
-/// meet(row, i, j, r, distance, sigma) for each pair of discs that touch; r from i to j.
-template <class Meet>
-void walk_discs(const System<2>& system, EdgeCandidates& candidates, const Meet& meet) {
-  const State<2>& state = system.state;
-  const std::vector<Vec2>& shifts = candidates.images().shifts(system.box);
-  for (const std::int32_t row : candidates.disc_rows()) {
-    const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
-    const Vec2 r = state.position[j] - state.position[i] - shifts[candidates.images().index()[row]];
-    const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (distance < sigma)
-      meet(row, i, j, Foot{distance, distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j)},
-           sigma);
-  }
-}
-
 }  // namespace
 
 struct SmoothContacts::Sum {
   double energy = 0;
   Mat2 virial;
 };
+
+/// meet(row, i, j, r, distance, sigma) for each pair of discs that touch; r from i to j.
+template <class Meet>
+void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
+  const State<2>& state = system.state;
+  const std::vector<Vec2>& shifts = candidates_.images().shifts(system.box);
+  for (const std::int32_t row : candidates_.disc_rows()) {
+    const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
+    const Vec2 r = state.position[j] - state.position[i] - shifts[candidates_.images().index()[row]];
+    const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
+    if (!(distance < sigma)) continue;
+    if (!linked_.empty() &&
+        linked_.contains(touch_key(j, TouchOn::body, body_[i], candidates_.cells_of_row(row))))
+      continue;
+    meet(row, i, j, Foot{distance, distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j)}, sigma);
+  }
+}
+
+/// Selects what matters now, less the contacts of linked pairs.
+void SmoothContacts::select_acting(const System<2>& system) {
+  select({system, candidates_.all(), candidates_.shifts(system.box)}, selected_);
+  if (linked_.empty()) return;
+  std::erase_if(selected_, [&](std::int32_t k) {
+    const EdgeCandidate& c = candidates_.all()[k];
+    return linked_.contains(touch_key(c.site, TouchOn::body, body_[c.start], -candidates_.cells(c.image)));
+  });
+}
+
+void SmoothContacts::update(const System<2>& system) {
+  candidates_.update(system);
+  linked_.update(system, meeting());
+  if (!linked_.empty()) body_ = bodies_of_sites(system.topology, system.state.size());
+}
 
 template <bool energies>
 void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& sum) {
@@ -212,12 +230,11 @@ void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& s
     }
     return push;
   };
-  walk_discs(system, candidates_,
-             [&](std::int32_t, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
-               force[i] -= push_off(j, touch, sigma, 1);
-             });
+  walk_discs(system, [&](std::int32_t, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
+    force[i] -= push_off(j, touch, sigma, 1);
+  });
+  select_acting(system);
   const Scene scene{system, candidates_.all(), candidates_.shifts(system.box)};
-  select(scene, selected_);
   walk(
       scene, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part, const Foot& touch, double sigma, int sign) {
@@ -229,7 +246,7 @@ void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& s
 }
 
 void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
-  candidates_.update(system);
+  update(system);
   violations_ = 0;
   Sum sum;
   if (detail == Detail::forces) return add_all<false>(system, out, sum);
@@ -239,7 +256,7 @@ void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation
 }
 
 std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
-  candidates_.update(system);
+  update(system);
   std::vector<ContactRecord<2>> records;
   std::int32_t touches = 0;
   const auto begin = [&](const Foot& touch, double sigma, double factor,
@@ -254,16 +271,15 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
     record.touch = touches;
     return record;
   };
-  walk_discs(system, candidates_,
-             [&](std::int32_t row, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
-               ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
-               record.row = row;
-               record.add(i, -1);
-               record.add(j, +1);
-               ++touches;
-             });
+  walk_discs(system, [&](std::int32_t row, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
+    ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
+    record.row = row;
+    record.add(i, -1);
+    record.add(j, +1);
+    ++touches;
+  });
+  select_acting(system);
   const Scene scene{system, candidates_.all(), candidates_.shifts(system.box)};
-  select(scene, selected_);
   walk(
       scene, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part part, const Foot& touch, double sigma, int sign) {

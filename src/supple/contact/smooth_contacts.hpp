@@ -2,6 +2,7 @@
 #pragma once
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/edge_candidates.hpp"
+#include "supple/contact/linked_touches.hpp"
 
 namespace supple {
 
@@ -26,6 +27,7 @@ class SmoothContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
   Meeting meeting() const override { return Meeting::facets; }
+  double scale(const Ring& of_site) const override { return edge_scale(of_site); }
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;
   /// Edges as (vertex, start, end) with weights (1, -(1-t), -t), corners as (vertex, corner); inside, the
   /// distance is negative.
@@ -39,7 +41,14 @@ class SmoothContacts final : public BodyContacts {
   template <bool energies>
   void add_all(const System<2>& system, Evaluation<2>& out, Sum& sum);
 
+  void update(const System<2>& system);
+  void select_acting(const System<2>& system);
+  template <class Meet>
+  void walk_discs(const System<2>& system, const Meet& meet);
+
   EdgeCandidates candidates_;
+  LinkedTouches linked_;
+  std::vector<std::int32_t> body_;  ///< of each site, where something is linked
   std::vector<std::int32_t> selected_;
   int violations_ = 0;
 };

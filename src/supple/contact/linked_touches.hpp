@@ -1,0 +1,29 @@
+/// Contacts that do not act because the pair is linked.
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "supple/contact/reach.hpp"
+#include "supple/model/ring.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// A linked pair has no other contact: rough, of its two sites; smooth, of either one with the body of the
+/// other. Always with the image of the link alone. Made again at every evaluation, as it is short.
+class LinkedTouches {
+ public:
+  void update(const System<2>& system, Meeting meeting);
+  bool empty() const { return keys_.empty(); }
+  bool contains(const TouchKey& key) const { return std::binary_search(keys_.begin(), keys_.end(), key); }
+
+ private:
+  std::vector<TouchKey> keys_;
+};
+
+/// The key of a contact about x_site - x_other less that many cells.
+inline TouchKey touch_key(std::int32_t site, TouchOn on, std::int32_t other, const Vec2& cells) {
+  return {site, other, on, {static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1])}};
+}
+
+}  // namespace supple
