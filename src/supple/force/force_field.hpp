@@ -5,6 +5,7 @@
 
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/disc_contacts.hpp"
+#include "supple/contact/interaction.hpp"
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/plates.hpp"
 #include "supple/contact/walls.hpp"
@@ -14,9 +15,10 @@
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> plates, walls, external ->
-/// Evaluation. Evaluating changes nothing but the rows of System::pairs; only commit() lets contacts
-/// remember. Discs with memory (the microgel model) have DiscContacts, bodies of many sites a BodyContacts.
+/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> interactions -> plates, walls,
+/// external -> Evaluation. Evaluating changes nothing but the rows of System::pairs; only commit() lets
+/// contacts remember. Discs with memory (the microgel model) have DiscContacts, bodies of many sites a
+/// BodyContacts.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
@@ -28,14 +30,15 @@ class ForceField {
     neighbors_.update(system);
     const auto n = static_cast<std::size_t>(system.state.size());
     out.force.assign(n, Vec2{});
-    if (!bodies_ || out.torque.size() != n)
-      out.torque.assign(n, 0.0);  // nothing that acts on bodies of many sites makes torques
+    if (!bodies_ || !interactions_.empty() || out.torque.size() != n)
+      out.torque.assign(n, 0.0);  // conservative contacts of bodies make no torques
     out.wall.clear();
     out.energy = {};
     out.virial = {};
     terms_.evaluate(system, detail, out);
     if (bodies_) bodies_->evaluate(system, detail, out);
     else contacts_.evaluate(system, system.lag, detail, out);
+    for (const auto& interaction : interactions_) interaction->evaluate(system, system.lag, detail, out);
     if (repulsive_plates_)
       evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
     if (walls_) evaluate_walls(system, *walls_, detail, out);
@@ -53,8 +56,13 @@ class ForceField {
       system.pairs.state.swap(evaluation.trial_state);
       system.pairs.history.swap(evaluation.trial_history);
     }
+    for (const auto& interaction : interactions_) interaction->commit(system, evaluation);
     system.lag = 0;
   }
+
+  /// Adds forces that are evaluated behind the contacts, in this order.
+  void add(std::shared_ptr<Interaction> interaction) { interactions_.push_back(std::move(interaction)); }
+  const std::vector<std::shared_ptr<Interaction>>& interactions() const { return interactions_; }
 
   void invalidate() { neighbors_.invalidate(); }
   void set_repulsive_plates(bool repulsive) { repulsive_plates_ = repulsive; }
@@ -73,6 +81,7 @@ class ForceField {
   ExternalForces<2> external_;
   DiscContacts contacts_;
   std::shared_ptr<BodyContacts> bodies_;
+  std::vector<std::shared_ptr<Interaction>> interactions_;
   NeighborList<2> neighbors_;
   std::optional<WallLaw> walls_;
   bool repulsive_plates_ = false;

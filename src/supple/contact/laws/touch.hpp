@@ -1,0 +1,56 @@
+/// Friction and viscosity of contacts between bodies of many sites.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "supple/contact/laws/friction.hpp"
+
+namespace supple {
+
+/// Whether the normal dashpot of a contact that opens may pull beyond its elastic repulsion.
+enum class ViscousPull { never, allowed };
+
+/// Parameters that every contact shares; those of a contact on half an elastic energy are halved (9.5).
+struct TouchLaw {
+  double friction = 0;  ///< mu
+  double k_t = 0;       ///< tangential stiffness [force/length]
+  double eta = 0;       ///< normal viscosity [force/speed]
+  double eta_t = 0;     ///< tangential viscosity [force/speed]
+  Slip slip = Slip::clamp;
+  ViscousPull pull = ViscousPull::never;
+};
+
+/// Tangential stiffness as a ratio of that of contacts.
+inline double tangential_stiffness(double ratio, double k_c) { return ratio * k_c; }
+/// eta = v sqrt(m k_c), m the mean mass of the two sites (S1-9).
+inline double viscosity(double relative, double mass, double k_c) { return relative * std::sqrt(mass * k_c); }
+
+/// The relative motion of the two sides: speed of separation v_n = v.n, and v_t = v.t.
+struct TouchMotion {
+  double v_n, v_t;
+};
+
+/// viscous: along n on the side that n points to; tangential: against t on it.
+struct TouchResponse {
+  double viscous;
+  TangentialResponse tangential;
+};
+
+/// `elastic`: repulsion of the whole contact, positive; `scale`: of its elastic energy.
+inline TouchResponse respond_touch(const TouchLaw& law, double scale, double elastic, const TouchMotion& m,
+                                   double u, double dt) {
+  const double free = -scale * law.eta * m.v_n, k_t = scale * law.k_t;
+  const double viscous = law.pull == ViscousPull::allowed ? free : std::max(free, -elastic);
+  return {viscous, coulomb(u, m.v_t, dt, k_t, scale * law.eta_t, law.friction * elastic, {law.slip, k_t})};
+}
+
+/// A permanent link: central spring both ways, dashpot, and a tangential bond without a Coulomb limit.
+struct LinkLaw {
+  double k = 0, eta = 0, k_t = 0, eta_t = 0;  ///< [force/length], [force/speed]
+
+  double energy(double d, double rest) const { return 0.5 * k * (d - rest) * (d - rest); }
+  /// Repulsion, positive where compressed.
+  double force(double d, double rest) const { return k * (rest - d); }
+};
+
+}  // namespace supple

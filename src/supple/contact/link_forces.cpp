@@ -1,0 +1,54 @@
+#include "supple/contact/link_forces.hpp"
+
+#include "supple/contact/coincident.hpp"
+
+namespace supple {
+
+/// The positive side is the second site.
+void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& link, const Instant& at) const {
+  const State<2>& state = system.state;
+  const std::int32_t i = link.first, j = link.second;
+  const Vec2 cells{static_cast<double>(link.cells[0]), static_cast<double>(link.cells[1])};
+  frame.clear();
+  frame.sites = {{i, -1}, {j, +1}};
+  frame.jump = system.box.velocity_jump(link.cells[gradient]);
+  frame.branch = system.box.separation(state.position[i], state.position[j], cells).r -
+                 at.back * frame.separation_velocity(state);
+  const double d = norm(frame.branch);
+  frame.normal = d > 0 ? (1 / d) * frame.branch : arbitrary_direction<2>(i, j);
+  const double share = state.radius[i] / (state.radius[i] + state.radius[j]);
+  frame.rotation.add_vertex(share, ring_of(system.topology, body_[i]), i, at);
+  frame.rotation.add_vertex(1 - share, ring_of(system.topology, body_[j]), j, at);
+}
+
+void LinkForces::evaluate(const System<2>& system, double dt, Detail, Evaluation<2>& out) {
+  out.trial_link.clear();
+  if (system.links.empty()) return;
+  body_ = bodies_of_sites(system.topology, system.state.size());
+  const Instant now{system.state}, then{system.state, 0.5 * dt};
+  for (const Link& link : system.links) {
+    fill(frame_, system, link, now);
+    if (dt > 0) fill(earlier_, system, link, then);
+    const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
+    const Vec2 v = moved.velocity(then), n = frame_.normal;
+    const double v_n = dot(v, moved.normal), v_t = dot(v, turned_left(moved.normal)), d = norm(frame_.branch);
+
+    const TangentialResponse r = bonded(link.elongation, v_t, dt, law_.k_t, law_.eta_t);
+    const double central = law_.force(d, link.rest) - law_.eta * v_n;
+    out.trial_link.push_back(r.elongation);
+    frame_.scatter(central * n - r.force * turned_left(n), system.state, out);
+
+    const TangentialBooks books = book(r, link.elongation, v_t, dt, law_.k_t, law_.eta_t, Slip::clamp);
+    out.energy.elastic += law_.energy(d, link.rest);
+    out.energy.tangential += books.energy;
+    out.energy.viscous_power += law_.eta * v_n * v_n;
+    out.energy.tangential_viscous_power += books.viscous_power;
+  }
+}
+
+void LinkForces::commit(System<2>& system, Evaluation<2>& evaluation) {
+  for (std::size_t k = 0; k < evaluation.trial_link.size(); ++k)
+    system.links[k].elongation = evaluation.trial_link[k];
+}
+
+}  // namespace supple

@@ -1,0 +1,29 @@
+/// Permanent links between bodies of many sites.
+#pragma once
+#include "supple/contact/interaction.hpp"
+#include "supple/contact/laws/touch.hpp"
+#include "supple/contact/touch_frame.hpp"
+
+namespace supple {
+
+/// Acts on System::links: a central spring about the rest distance, a dashpot, and a tangential bond with the
+/// rotations of the two boundaries, shared by the radii. The elongation follows the motion as that of
+/// TouchFriction does. The pairs have no other contact (LinkedTouches).
+class LinkForces final : public Interaction {
+ public:
+  explicit LinkForces(const LinkLaw& law) : law_(law) {}
+
+  const LinkLaw& law() const { return law_; }
+  void set_law(const LinkLaw& law) { law_ = law; }
+  void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
+  void commit(System<2>& system, Evaluation<2>& evaluation) override;
+
+ private:
+  void fill(TouchFrame& frame, const System<2>& system, const Link& link, const Instant& at) const;
+
+  LinkLaw law_;
+  std::vector<std::int32_t> body_;  ///< of each site
+  TouchFrame frame_, earlier_;      ///< at present, and at the instant of the velocities
+};
+
+}  // namespace supple

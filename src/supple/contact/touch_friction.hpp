@@ -1,0 +1,45 @@
+/// Friction and viscosity of the contacts of bodies of many sites.
+#pragma once
+#include <memory>
+
+#include "supple/contact/body_contacts.hpp"
+#include "supple/contact/interaction.hpp"
+#include "supple/contact/laws/touch.hpp"
+#include "supple/contact/touch_frame.hpp"
+
+namespace supple {
+
+/// Acts on every touch (sum_touches) of given contacts, whose elastic force F they add themselves: along
+/// n = F/|F| a dashpot, along t a spring and dashpot up to mu |F|. A touch of several records has the mean
+/// of their weights and of the rotations of their edges, each weighted by its part of F along n.
+///
+/// The elongation u (System::touches) follows the motion v.t of half of dt ago, about the positions of then.
+/// So a pair that turns rigidly by straight steps, as a leapfrog makes them, winds up nothing at any step.
+class TouchFriction final : public Interaction {
+ public:
+  TouchFriction(std::shared_ptr<BodyContacts> contacts, const TouchLaw& law)
+      : contacts_(std::move(contacts)), law_(law) {}
+
+  const TouchLaw& law() const { return law_; }
+  void set_law(const TouchLaw& law) { law_ = law; }
+  void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
+  void commit(System<2>& system, Evaluation<2>& evaluation) override {
+    system.touches.rows.swap(evaluation.trial_touch);
+  }
+
+ private:
+  void act(const System<2>& system, const BodyTouch& touch, double dt, Evaluation<2>& out);
+  void book_opened(const System<2>& system, double dt, Evaluation<2>& out) const;
+  TouchKey key_of(const ContactRecord<2>& record) const;
+  double scale_of(const System<2>& system, std::int32_t site) const {
+    return contacts_->scale(ring_of(system.topology, body_[site]));
+  }
+
+  std::shared_ptr<BodyContacts> contacts_;
+  TouchLaw law_;
+  std::vector<std::int32_t> body_;  ///< of each site
+  std::vector<ContactRecord<2>> records_;
+  TouchFrame frame_, earlier_;  ///< at present, and at the instant of the velocities
+};
+
+}  // namespace supple
