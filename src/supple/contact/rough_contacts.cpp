@@ -18,7 +18,7 @@ struct RoughContacts::Sum {
 };
 
 /// visit(row, push) for each row of [begin, end) that touches, in order; push: the force on the second site.
-template <bool energies, class Visit>
+template <bool energies, bool links, class Visit>
 void RoughContacts::for_touching(const System<2>& system, int begin, int end, Sum& sum,
                                  const Visit& visit) const {
   const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(),
@@ -32,7 +32,9 @@ void RoughContacts::for_touching(const System<2>& system, int begin, int end, Su
     Vec2 r{position[j][0] - position[i][0] - shift[0], position[j][1] - position[i][1] - shift[1]};
     const double sigma = radius[i] + radius[j], square = dot(r, r);
     // Measured: a batch that need not guess whether rows touch gains nothing, as gathering it costs as much.
-    if (!(square < sigma * sigma) || (!linked_.empty() && is_linked(system, row))) continue;
+    if (!(square < sigma * sigma)) continue;
+    if constexpr (links)
+      if (is_linked(system, row)) continue;
     double distance = std::sqrt(square), per_distance = 1 / distance;
     if (distance == 0) r = arbitrary_direction<2>(i, j), per_distance = 1;
     const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;
@@ -44,7 +46,7 @@ void RoughContacts::for_touching(const System<2>& system, int begin, int end, Su
   }
 }
 
-template <bool energies>
+template <bool energies, bool links>
 RoughContacts::Sum RoughContacts::add_all(const System<2>& system, Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
   const int sites = system.state.size();
@@ -58,8 +60,8 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, Evaluation<2>
       force[second[row]] += push;
     };
     const auto keep = [&](int row, const Vec2& push) { push_[row] = push; };
-    if (serial) for_touching<energies>(system, pairs.begin[begin], pairs.begin[end], sum, scatter);
-    else for_touching<energies>(system, pairs.begin[begin], pairs.begin[end], sum, keep);
+    if (serial) for_touching<energies, links>(system, pairs.begin[begin], pairs.begin[end], sum, scatter);
+    else for_touching<energies, links>(system, pairs.begin[begin], pairs.begin[end], sum, keep);
     return sum;
   });
   if (!serial) gather(pairs, sites, out);
@@ -89,10 +91,11 @@ void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<
   linked_.update(system, meeting());
   shifts_ = images_.shifts(system.box);
   if (detail == Detail::forces) {
-    add_all<false>(system, out);
+    if (linked_.empty()) add_all<false, false>(system, out);
+    else add_all<false, true>(system, out);
     return;
   }
-  const Sum sum = add_all<true>(system, out);
+  const Sum sum = linked_.empty() ? add_all<true, false>(system, out) : add_all<true, true>(system, out);
   out.energy.elastic += sum.energy;
   out.virial += sum.virial;
 }

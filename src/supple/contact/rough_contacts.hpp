@@ -18,9 +18,9 @@ class RoughContacts final : public BodyContacts {
 
  private:
   struct Sum;
-  template <bool energies, class Visit>
+  template <bool energies, bool links, class Visit>
   void for_touching(const System<2>& system, int begin, int end, Sum& sum, const Visit& visit) const;
-  template <bool energies>
+  template <bool energies, bool links>
   Sum add_all(const System<2>& system, Evaluation<2>& out);
   void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
