@@ -150,6 +150,47 @@ TEST(TouchLaw, BodiesOfOneSiteHaveTheLawOfDiscs) {
   }
 }
 
+/// A rigid regular polygon that turns and slides under a disc: force and torque tend to those of a disc of
+/// its radius, with the number of its vertices and the depth of the contact.
+TEST(TouchLaw, ManySidedPolygonHasTheLawOfADisc) {
+  const double inner = 1.9, rounding = 0.1, radius = inner + rounding, spin = 0.7, spin_of_disc = -1.3,
+               eta = 2;
+  const Vec2 velocity{0.3, -0.2};
+  double error_before = 0;
+  for (const double depth : {1e-1, 1e-2, 1e-3}) {
+    const int n = static_cast<int>(10 / depth);
+    System<2> system;
+    system.box.length = {100, 100};
+    std::vector<Vec2> ring;
+    for (int k = 0; k < n; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.37) / n;
+      ring.push_back(Vec2{50, 50} +
+                     inner / std::cos(std::numbers::pi / n) * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    add_body(system, ring, rounding);
+    const Vec2 centre{50 + radius + 0.5 - depth, 50};
+    add_disc_body(system, centre, 0.5);
+    for (int i = 0; i < n; ++i) system.state.velocity[i] = velocity + cross(spin, ring[i] - Vec2{50, 50});
+    system.state.spin[n] = spin_of_disc;
+    const auto contacts = std::make_shared<SmoothContacts>(Harmonic{100});
+    ForceField field(contacts);
+    field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{.friction = 1e9, .eta_t = eta}));
+    Evaluation<2> out;
+    field.evaluate(system, Detail::forces, out);
+    double torque = 0;
+    for (int i = 0; i < n; ++i) torque += cross(ring[i] - Vec2{50, 50}, out.force[i]);
+    // S1-3 of two discs, n from the polygon to the disc along x.
+    const double v_t =
+        -velocity[1] - (radius + 0.5 - depth) / (radius + 0.5) * (radius * spin + 0.5 * spin_of_disc);
+    const double f_t = eta * v_t;
+    const double error = std::abs(out.force[n][1] / -f_t - 1) + std::abs(torque / (f_t * radius) - 1) +
+                         std::abs(out.torque[n] / (f_t * 0.5) - 1);
+    EXPECT_LT(error, 6 * depth);  // who bears the overlap: the rounding, or the whole radius
+    if (error_before > 0) EXPECT_LT(error, 0.3 * error_before);
+    error_before = error;
+  }
+}
+
 TEST(TouchLaw, DashpotDoesNotPullUnlessToldTo) {
   const TouchLaw law{.eta = 5}, pulls{.eta = 5, .pull = ViscousPull::allowed};
   EXPECT_EQ(respond_touch(law, 1, 2, {1, 0}, 0, 0).viscous, -2);
