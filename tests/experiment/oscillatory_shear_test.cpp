@@ -153,7 +153,9 @@ TEST(OscillatoryShear, AFastOscillationGetsStepsEnoughToBeDemodulated) {
   Case c = scaffold();
   c.shear.relative_frequency = 10;  // four steps of the stability criterion in a period
   for (const Derived& d : derive(c, nullptr)) {
-    if (d.name.name == "steps_per_period") EXPECT_GE(d.value, 8);
+    if (d.name.name == "steps_per_period") {
+      EXPECT_GE(d.value, 8);
+    }
   }
   EXPECT_GT(run_of(c).get("results", "loss_modulus_virial"), 0);
 }

@@ -158,7 +158,9 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
         load[b] = std::max(load[b], contact.normal_force());
     }
     for (std::size_t b = 0; b < load.size(); ++b)
-      if (load[b] > 0.05 * mean) EXPECT_EQ(r.rattlers[b], 0) << seed << ' ' << b << ' ' << load[b] / mean;
+      if (load[b] > 0.05 * mean) {
+        EXPECT_EQ(r.rattlers[b], 0) << seed << ' ' << b << ' ' << load[b] / mean;
+      }
   }
 }
 

@@ -140,7 +140,7 @@ TEST(Rattlers, NeighboursThroughThePeriodCountTwice) {
   ASSERT_EQ(contacts.size(), 1u);
   SiteContact other = contacts[0];
   other.force = -other.force;
-  other.shift += Vec2{other.body == 0 ? -4 : 4, 0};
+  other.shift += Vec2{other.body == 0 ? -4.0 : 4.0, 0};
   const std::vector<SiteContact> both{contacts[0], other};
   const ContactNetwork network = contact_network(system, both);
   ASSERT_EQ(network.pairs.size(), 2u);
