@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "supple/core/error.hpp"
@@ -28,6 +29,29 @@ TEST(Check, DiscsLargerThanHalfOfTheCell) {
             "raise particles.N or lower particles.packing_fraction");
   c.initial.state = "given.json";
   EXPECT_EQ(error_of(c), "no error");
+}
+
+/// Stiffness, gravity, ...: a run of them would say that the energy is not finite, and to take smaller steps.
+TEST(Check, NumbersThatCannotBeComputedWithAreRefusedByTheirKey) {
+  int keys = 0;
+  Case c;
+  for_each_key(c, [&]<class P>(const std::string& key, const Field<P>& field, P& values) {
+    const auto* member = std::get_if<double P::*>(&field.member);
+    if (!member) return;
+    ++keys;
+    double& value = values.**member;
+    const double usual = value;
+    for (const double size : {1e308, -1e61, 1e-61}) {
+      value = size;
+      EXPECT_THAT(error_of(c), HasSubstr(fmt::format("{} = {:.6g} cannot be computed with (numbers are from "
+                                                     "1e-60 to 1e+60 here)",
+                                                     key, size)));
+    }
+    value = 1e60;
+    EXPECT_THAT(error_of(c), testing::Not(HasSubstr("cannot be computed with")));
+    value = usual;
+  });
+  EXPECT_GT(keys, 50);
 }
 
 TEST(Check, LawsThatLackTheirKeys) {

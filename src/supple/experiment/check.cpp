@@ -13,6 +13,7 @@
 #include "supple/experiment/used_keys.hpp"
 #include "supple/model/discs.hpp"
 #include "supple/model/polygons.hpp"
+#include "supple/model/sanity.hpp"
 
 namespace supple {
 
@@ -24,6 +25,17 @@ void add(Problems& problems, const Case& c, const std::string& what, const std::
          const std::string& to_do) {
   const std::string place = c.origin.empty() ? "" : c.origin + ": ";
   problems.push_back(input_error(place + what, why, to_do).what());
+}
+
+/// Of a number that cannot be computed with, a run would say no more than that a force is not finite.
+void check_numbers(const Case& c, Problems& problems) {
+  for_each_key(c, [&]<class P>(const std::string& key, const Field<P>& field, const P& values) {
+    const auto* member = std::get_if<double P::*>(&field.member);
+    if (!member || is_computable(values.**member)) return;
+    add(problems, c, fmt::format("{} = {:.6g} cannot be computed with", key, values.**member),
+        fmt::format("numbers are from {:g} to {:g} here", least_number, most_number),
+        "look for a wrong unit or number");
+  });
 }
 
 /// Experiments on discs alone have no deformable particles.
@@ -162,6 +174,7 @@ void check(const Case& c) { check(c, nullptr); }
 
 void check(const Case& c, const InitialState* initial) {
   Problems problems;
+  check_numbers(c, problems);
   check_matter(c, problems);
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
   const bool from_file = initial || !c.initial.state.empty() || !c.initial.packing.empty();

@@ -12,7 +12,6 @@ namespace supple {
 
 namespace {
 
-constexpr double smallest = 1e-60, largest = 1e60;
 constexpr double farthest = 1e9;  ///< in radii of the smallest site
 constexpr double widest = 1e7;    ///< radius, in radii of the smallest site
 
@@ -25,11 +24,10 @@ class Judge {
                       "look for a wrong unit or a damaged number");
   }
 
-  static bool is_size(double x) { return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest); }
   void size(double x, const std::string& name) const {
-    if (!is_size(x))
+    if (!is_computable(x))
       refuse(fmt::format("{} is {:.6g}", name, x),
-             fmt::format("numbers are from {:g} to {:g} here", smallest, largest));
+             fmt::format("numbers are from {:g} to {:g} here", least_number, most_number));
   }
   void positive_size(double x, const std::string& name) const {
     if (!(x > 0)) refuse(fmt::format("{} is {:.6g}", name, x), "it must be positive");
@@ -37,16 +35,17 @@ class Judge {
   }
   void sizes(std::span<const double> values, const char* name) const {
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (!is_size(values[i])) size(values[i], fmt::format("{} {}", name, i));
+      if (!is_computable(values[i])) size(values[i], fmt::format("{} {}", name, i));
   }
   void positive_sizes(std::span<const double> values, const char* name) const {
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (!(values[i] > 0 && is_size(values[i]))) positive_size(values[i], fmt::format("{} {}", name, i));
+      if (!(values[i] > 0 && is_computable(values[i])))
+        positive_size(values[i], fmt::format("{} {}", name, i));
   }
   void sizes(const std::vector<Vec2>& values, const char* name) const {
     for (std::size_t i = 0; i < values.size(); ++i)
       for (int d = 0; d < 2; ++d)
-        if (!is_size(values[i][d])) size(values[i][d], fmt::format("{} {}", name, i));
+        if (!is_computable(values[i][d])) size(values[i][d], fmt::format("{} {}", name, i));
   }
 
   void cell() const {
@@ -110,7 +109,7 @@ class Judge {
     const State<2>& s = system_.state;
     double sum = 0;
     for (std::size_t i = 0; i < s.velocity.size(); ++i) sum += s.mass[i] * dot(s.velocity[i], s.velocity[i]);
-    if (!(0.5 * sum <= largest))
+    if (!(0.5 * sum <= most_number))
       refuse(fmt::format("its kinetic energy is {:.6g}", 0.5 * sum), "it is too much");
   }
 

@@ -1,15 +1,22 @@
 /// Whether a system can be computed with at all.
 #pragma once
+#include <cmath>
 #include <string>
 
 #include "supple/model/system.hpp"
 
 namespace supple {
 
+/// Sizes of numbers of which products of four are numbers still.
+inline constexpr double least_number = 1e-60, most_number = 1e60;
+/// Whether this can be computed with: 0, or of such a size.
+inline bool is_computable(double x) {
+  return x == 0 || (std::abs(x) >= least_number && std::abs(x) <= most_number);
+}
+
 /// Throws an input error that begins with `what` ("the state to start from") unless
 /// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths are positive;
-/// * every number is finite and its size between 1e-60 and 1e60 (or 0 where it may be), so that products of
-/// four are;
+/// * every number is_computable(), and not 0 where it may not be;
 /// * no site lies further out than 1e9 of the smallest radius (nor the cell reaches further): positions, of
 /// 16 digits,
 ///   would not resolve contacts;
