@@ -53,13 +53,15 @@ void expect_same(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.mobility, b.mobility);
   EXPECT_EQ(a.length, b.length);
   EXPECT_EQ(a.body, b.body);
+  EXPECT_EQ(a.numbers, b.numbers);
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     const ContactRow &x = a.contacts[c], &y = b.contacts[c];
     EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force,
-                       x.tangential_force),
+                       x.tangential_force, x.elastic, x.viscous),
               std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force,
-                       y.tangential_force));
+                       y.tangential_force, y.elastic, y.viscous));
+    EXPECT_EQ(x.force, y.force);
   }
 }
 
@@ -116,8 +118,10 @@ void expect_sample_end(const RunFile& run) {
   const Evaluation<2> expected = sample_evaluation(discs);
   EXPECT_EQ(evaluation.force, expected.force);
   EXPECT_EQ(evaluation.torque, expected.torque);
-  EXPECT_EQ(evaluation.energy.elastic, expected.energy.elastic);
-  EXPECT_EQ(evaluation.energy.sliding_power, expected.energy.sliding_power);
+  using E = EnergyParts;
+  for (const auto part : {&E::terms, &E::elastic, &E::tangential, &E::wall, &E::external, &E::viscous_power,
+                          &E::tangential_viscous_power, &E::sliding_power})
+    EXPECT_EQ(evaluation.energy.*part, expected.energy.*part);
   EXPECT_EQ(evaluation.virial[1][0], expected.virial[1][0]);
 }
 
@@ -203,7 +207,9 @@ TEST_F(RunFileTest, AFileThatAppearsMeanwhileIsKept) {
   FileRecorder to = recorder();
   record_sample(to, discs, steps);
   write_content(path(), "precious");
-  EXPECT_THAT(file_error_of([&] { to.finish("complete"); }), HasSubstr("run.h5 exists"));
+  EXPECT_THAT(
+      file_error_of([&] { to.finish("complete"); }),
+      ::testing::AllOf(HasSubstr("run.h5 exists"), HasSubstr("is complete is in " + path() + ".partial")));
   EXPECT_EQ(content_of(path()), "precious");
   expect_sample_end(RunFile(in_folder("run.h5.partial")));
 }
@@ -223,9 +229,11 @@ TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
   write_content(in_folder("text.h5"), "not HDF5, but long enough to be some other kind of file");
   EXPECT_THAT(file_error_of([&] { RunFile(in_folder("text.h5")); }), HasSubstr("is not an HDF5 file"));
   h5::Group foreign = h5::create_file("foreign.h5");
-  foreign.write("x", std::vector<double>{1});
-  h5::save(foreign, in_folder("foreign.h5"));
-  EXPECT_THAT(file_error_of([&] { RunFile(in_folder("foreign.h5")); }), HasSubstr("is not a run of Supple"));
+  for (const std::string name : {"foreign.h5", "of_another_version.h5"}) {
+    if (name != "foreign.h5") foreign.set("format", std::string("supple run 0"));
+    h5::save(foreign, in_folder(name));
+    EXPECT_THAT(file_error_of([&] { RunFile(in_folder(name)); }), HasSubstr("is not a run of Supple"));
+  }
 
   FileRecorder to = recorder();
   record_sample(to, discs, steps);

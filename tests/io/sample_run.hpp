@@ -43,9 +43,19 @@ inline Frame sample_frame(int discs, int k) {
   frame.length = {500. - k, 400 - k / 3.};
   frame.body["pressure"] = {k / 37., -k / 41.};
   frame.body["zeal"] = {k / 43., k / 47.};
+  frame.numbers["kinetic_energy"] = k / 53.;
+  frame.numbers["pressure"] = -k / 59.;
   for (int c = 0; c < k % 4; ++c)
-    frame.contacts.push_back(
-        {c, c + 1, static_cast<ContactState>(1 + c % 3), k / 3., k / 7., c / 3., c / 7. + k});
+    frame.contacts.push_back({c,
+                              c + 1,
+                              static_cast<ContactState>(1 + c % 3),
+                              k / 3.,
+                              k / 7.,
+                              c / 3.,
+                              c / 7. + k,
+                              c / 11. + k,
+                              c / 13. - k,
+                              {c / 17. + k, c / 19. - k}});
   return frame;
 }
 
@@ -100,9 +110,13 @@ inline Evaluation<2> sample_evaluation(int discs) {
     evaluation.force.push_back({i / 3., i / 5.});
     evaluation.torque.push_back(i / 7.);
   }
+  evaluation.energy.terms = 1 / 5.;
   evaluation.energy.elastic = 1 / 3.;
+  evaluation.energy.tangential = 1 / 17.;
   evaluation.energy.wall = 1 / 11.;
   evaluation.energy.external = -1 / 13.;
+  evaluation.energy.viscous_power = 1 / 19.;
+  evaluation.energy.tangential_viscous_power = 1 / 23.;
   evaluation.energy.sliding_power = 1 / 7.;
   evaluation.virial = {{{1, 2}, {3, 4}}};
   return evaluation;

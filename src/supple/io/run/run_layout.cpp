@@ -37,7 +37,7 @@ void store_case(h5::Object& dataset, const Case& c) {
 
 std::string unit_text(const Units& units, double in_si, const char* si) {
   if (units.name == reduced_units().name) return "";
-  return in_si == 1 ? si : fmt::format("{} {}", in_si, si);
+  return in_si == 1 ? si : fmt::format("{:.12g} {}", in_si, si);  // products of units are rounded
 }
 
 void expect_run(bool good, const h5::Object& object, const std::string& what) {
