@@ -75,6 +75,7 @@ Frame frame_of(const std::map<std::string, std::string>& row, int discs) {
     if (ij.first < ij.second)
       f.contacts.push_back({ij.first, ij.second, reference_contact_state(own.first), own.second,
                             sides.at({ij.second, ij.first}).second, 0, 0});
+  std::reverse(f.contacts.begin(), f.contacts.end());  // their order is the file's, not the frame's
   return f;
 }
 

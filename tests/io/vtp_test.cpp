@@ -59,7 +59,8 @@ std::vector<int> site_of_points() {
 }
 
 TEST_F(Vtp, GivesVtkOnePolygonForEachBodyWithTheSameBits) {
-  const PolygonScene scene = sample_scene();
+  PolygonScene scene = sample_scene();
+  for (int i = 4; i < 9; ++i) scene.position[i] += Vec2{20, -16};  // it stays where it has gone to
   const Json mesh = write_and_read(scene, Placement::unwrapped);
   ASSERT_EQ(mesh["points"].size(), 40u);
   ASSERT_EQ(mesh["polygons"].size(), 3u);
@@ -143,7 +144,12 @@ TEST_F(Vtp, IsWrittenAsOvitoReadsIt) {
 
 /// vtk.js makes a view of 64-bit numbers at the size's end: it must be of 8 bytes.
 TEST_F(Vtp, SizesHave64BitsAndTheTimeIsTold) {
-  write_vtp(in_folder("a.vtp"), sample_scene());
+  PolygonScene scene = sample_scene();
+  scene.numbers = {{"pressure", 1.0 / 7}};
+  const Json of_all = write_and_read(scene, Placement::in_cell)["of_all"];
+  ASSERT_EQ(of_all.size(), 2u);
+  expect_same_bits(of_all["TimeValue"]["values"].at(0).at(0), 1.0 / 3);
+  expect_same_bits(of_all["pressure"]["values"].at(0).at(0), 1.0 / 7);
   const std::string xml = content_of(in_folder("a.vtp"));
   EXPECT_EQ(count_of(xml, "header_type=\"UInt64\""), 1);
   EXPECT_EQ(count_of(xml, "Name=\"TimeValue\""), 1);
