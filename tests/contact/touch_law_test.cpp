@@ -116,7 +116,7 @@ TEST(TouchLaw, BodiesOfOneSiteHaveTheLawOfDiscs) {
   stir(discs, 6);
   stir(bodies, 6);
   for (const double mu : {0.05, 1e9}) {
-    const DiscLaw law{.contact = {100, 3, 40, 2}, .friction = mu};
+    const DiscLaw law{{100, 3, 40, 2}, {}, Tensile{}, mu};
     ForceField reference(DiscContacts(Repulsion(Divergent(0)), law));
     for (const bool smooth : {false, true}) {
       std::shared_ptr<BodyContacts> contacts;
@@ -186,7 +186,9 @@ TEST(TouchLaw, ManySidedPolygonHasTheLawOfADisc) {
     const double error = std::abs(out.force[n][1] / -f_t - 1) + std::abs(torque / (f_t * radius) - 1) +
                          std::abs(out.torque[n] / (f_t * 0.5) - 1);
     EXPECT_LT(error, 6 * depth);  // who bears the overlap: the rounding, or the whole radius
-    if (error_before > 0) EXPECT_LT(error, 0.3 * error_before);
+    if (error_before > 0) {
+      EXPECT_LT(error, 0.3 * error_before);
+    }
     error_before = error;
   }
 }

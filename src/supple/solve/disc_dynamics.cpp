@@ -35,12 +35,12 @@ bool drift(System<2>& system, double dt) {
     finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   }
   const bool crossed = wrap_bodies(system);
-  if (finite == 0) return crossed;
-  for (int i = 0; i < s.size(); ++i)
+  for (int i = 0; finite != 0 && i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
       throw numerics_error(
           "site " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
           "the time step may be too large or the law too stiff", "reduce [time] step");
+  return crossed;
 }
 
 }  // namespace
