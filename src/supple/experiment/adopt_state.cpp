@@ -6,12 +6,57 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/core/field.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/model/sanity.hpp"
 
 namespace supple {
 
 namespace {
+
+struct NumberOfAState {
+  const char* name;
+  Range range;
+};
+constexpr NumberOfAState numbers_of_a_state[] = {
+    {"k", positive},
+    {"nu", not_negative},
+    {"k_t", not_negative},
+    {"nu_t", not_negative},
+    {"mu", not_negative},
+    {"central_repulsion_coefficient", fraction},
+    {"permanent_ratio_central", not_negative},
+    {"permanent_ratio_tangential", not_negative},
+    {contact_stiffness, positive},
+    {"dt", positive},
+    {"cool_factor", {0, 1, true, false}},
+    {"steps", not_negative},
+    {"f", not_negative},
+    {"amplitude", not_negative},
+    {"pre", not_negative},
+    {"periods", not_negative},
+    {"post", not_negative},
+};
+
+/// The numbers beside the system have ranges, as the keys that they stand for.
+void require_sane_numbers(const InitialState& initial) {
+  const auto look = [](const std::string& name, double x) {
+    for (const NumberOfAState& number : numbers_of_a_state) {
+      if (number.name != name || (number.range.contains(x) && is_computable(x))) continue;
+      throw input_error(
+          fmt::format("the state to start from cannot be computed with: its {} is {:.6g}", name, x),
+          number.range.contains(x)
+              ? fmt::format("numbers are from {:g} to {:g} here", least_number, most_number)
+              : "it must be " + describe(number.range),
+          "look for a wrong unit or a damaged number");
+    }
+  };
+  for_each_constant(initial.material, [&](const char* name, const auto& constant) {
+    if (constant) look(name, *constant);
+  });
+  if (initial.contact) look(contact_stiffness, initial.contact->stiffness);
+  for (const auto& [name, x] : initial.protocol) look(name, x);
+}
 
 /// What the discs themselves say of how they were made, and of what.
 HeldKeys keys_of_discs(const InitialState& initial) {
@@ -65,6 +110,7 @@ void adopt_bodies(Case& c, const InitialState& initial) {
 Case adopt_state(Case c, const InitialState* initial) {
   if (!initial) return c;
   require_sane(initial->system, "the state to start from");  // before anything is computed from its numbers
+  require_sane_numbers(*initial);
   const bool bodies = !initial->system.topology.begin.empty();
   const std::string& file = c.initial.packing.empty() ? c.initial.state : c.initial.packing;
   HeldKeys held = initial->keys;
