@@ -57,6 +57,8 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
   EXPECT_EQ(a.pairs.state, b.pairs.state);
   EXPECT_EQ(a.pairs.width, b.pairs.width);
   EXPECT_TRUE(same_bits(a.pairs.history, b.pairs.history));
+  EXPECT_TRUE(a.touches.rows == b.touches.rows);
+  EXPECT_TRUE(a.links == b.links);
 }
 
 }  // namespace supple::testing

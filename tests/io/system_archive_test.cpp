@@ -71,6 +71,35 @@ TEST_F(SystemArchive, KeepsTheImagesOfLinks) {
   EXPECT_EQ(read_system<2>(written(system)).pairs.image, system.pairs.image);
 }
 
+/// Polygons that remember their contacts, with two links.
+System<2> with_links() {
+  System<2> system = random_polygons();
+  system.touches.rows = {{{3, 40, TouchOn::site, {0, -1, 0}}, ContactState::stick, 1 / 3.},
+                         {{5, 2, TouchOn::body, {1, 0, 0}}, ContactState::slip, -1 / 7.}};
+  system.links = {{2, 30, {1, -2, 0}, 0.1, 1 / 9.}, {4, 50, {}, 0.2, 0}};
+  return system;
+}
+
+TEST_F(SystemArchive, KeepsLinksOfBodiesAndWhatTheirContactsRemember) {
+  expect_same(read_system<2>(written(with_links())), with_links());
+}
+
+TEST_F(SystemArchive, RefusesContactsAndLinksOfNothing) {
+  const auto error = [&](const auto& damage) {
+    return error_after([&](System<2>& system) {
+      system = with_links();
+      damage(system);
+    });
+  };
+  EXPECT_THAT(error([](auto& s) { s.links[0].second = 100000; }),
+              HasSubstr("a link of sites that do not exist"));
+  EXPECT_THAT(error([](auto& s) { s.links[0].rest = -1; }), HasSubstr("or of no length"));
+  EXPECT_THAT(error([](auto& s) { s.links[1].cells[0] = 2000000000; }), HasSubstr("absurdly far"));
+  EXPECT_THAT(error([](auto& s) { s.touches.rows[1].key.other = 9; }),
+              HasSubstr("a contact of sites that do not"));
+  EXPECT_THAT(error([](auto& s) { s.touches.rows[0].key.site = 7; }), HasSubstr("not in order"));
+}
+
 System<2> with_rigid_bodies() {
   System<2> system = random_polygons();
   for (int b : {2, 5}) make_rigid(system, b);

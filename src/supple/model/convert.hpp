@@ -5,7 +5,7 @@
 
 namespace supple {
 
-/// Multiplies every quantity of the system by its unit's ratio; the history of pairs holds lengths.
+/// Multiplies every quantity of the system by its unit's ratio; contacts and links remember lengths.
 template <int Dim>
 void convert(System<Dim>& system, const Units& from, const Units& to) {
   const double length = from.length / to.length, mass = from.mass / to.mass, time = from.time / to.time;
@@ -25,6 +25,8 @@ void convert(System<Dim>& system, const Units& from, const Units& to) {
   scale(system.state.spin, 1 / time);
   scale(system.state.inertia, inertia);
   scale(system.pairs.history, length);
+  for (Touch& touch : system.touches.rows) touch.elongation *= length;
+  for (Link& link : system.links) link.rest *= length, link.elongation *= length;
 }
 
 }  // namespace supple

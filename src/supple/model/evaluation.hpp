@@ -77,6 +77,8 @@ struct Evaluation {
   std::vector<double> trial_history;        ///< aligned with System::pairs.history
   std::vector<Touch> trial_touch;           ///< the next System::touches, in their order
   std::vector<double> trial_link;           ///< the next elongations of System::links
+  std::vector<TouchForce> touch_force;      ///< of contacts of bodies with friction, in no order
+  std::vector<LinkForce> link_force;        ///< aligned with System::links
   std::vector<double> trial_floor_contact;  ///< aligned with sites; empty: no floor with friction
   std::vector<SiteForce<Dim>> wall;         ///< forces of repulsive plates and walls, external to the sample
   EnergyParts energy;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "supple/core/vec.hpp"
 #include "supple/model/pair_table.hpp"
 
 namespace supple {
@@ -34,6 +35,15 @@ struct Touch {
   /// Integral of the tangential velocity of the site relative to the other side, along t = (-n_y, n_x), n
   /// toward the site [length].
   double elongation = 0;
+  bool operator==(const Touch&) const = default;
+};
+
+/// Forces of a contact on its site beside the elastic one: viscous along n, and tangential along -t (see
+/// Touch) [force]; and what they add to the virial [energy].
+struct TouchForce {
+  TouchKey key;
+  double viscous = 0, tangential = 0;
+  Mat2 virial{};
 };
 
 /// Contacts that touch, in ascending order of their keys. One that opens leaves, and forgets.
@@ -54,8 +64,16 @@ struct Link {
   std::int32_t first = 0, second = 0;
   std::array<std::int32_t, 3> cells{};
   double rest = 0;  ///< distance without force [length]
-  double elongation =
-      0;  ///< tangential, of second relative to first along t = (-n_y, n_x), n toward second [length]
+  /// Tangential, of second relative to first along t = (-n_y, n_x), n toward second [length].
+  double elongation = 0;
+  bool operator==(const Link&) const = default;
+};
+
+/// Forces of a link on its second site: elastic and viscous along n, tangential along -t [force]; and what
+/// they add to the virial [energy].
+struct LinkForce {
+  double elastic = 0, viscous = 0, tangential = 0;
+  Mat2 virial{};
 };
 
 }  // namespace supple

@@ -4,6 +4,7 @@
 
 #include "supple/io/hdf5/array_views.hpp"
 #include "supple/io/hdf5/body_archive.hpp"
+#include "supple/io/hdf5/touch_archive.hpp"
 
 namespace supple {
 namespace {
@@ -165,6 +166,8 @@ void write_system(h5::Group& group, const System<Dim>& system) {
   if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape);
   if (!system.rigid.empty()) write_rigid_bodies(group.create_group("rigid"), system.rigid);
   write_pairs(group.create_group("pairs"), system.pairs);
+  if (!system.touches.rows.empty()) write_touches(group.create_group("touches"), system.touches);
+  if (!system.links.empty()) write_links(group.create_group("links"), system.links);
 }
 
 template <int Dim>
@@ -200,6 +203,9 @@ System<Dim> read_system(const h5::Group& group) {
   if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
   if (group.has("rigid")) system.rigid = read_rigid_bodies(group.open_group("rigid"), system.topology);
   system.pairs = read_pairs(group.open_group("pairs"), state.size());
+  const int bodies = system.topology.body_count(state.size());
+  if (group.has("touches")) system.touches = read_touches(group.open_group("touches"), state.size(), bodies);
+  if (group.has("links")) system.links = read_links(group.open_group("links"), state.size());
   expect_state(!system.topology.begin.empty() || system.pairs.size() == 0 || system.pairs.width > 0, group,
                "contacts of discs remember nothing");
   return system;
