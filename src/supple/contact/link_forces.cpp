@@ -23,6 +23,7 @@ void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& li
 
 void LinkForces::evaluate(const System<2>& system, double dt, Detail, Evaluation<2>& out) {
   out.trial_link.clear();
+  out.link_force.clear();
   if (system.links.empty()) return;
   body_ = bodies_of_sites(system.topology, system.state.size());
   const Instant now{system.state}, then{system.state, 0.5 * dt};
@@ -34,9 +35,11 @@ void LinkForces::evaluate(const System<2>& system, double dt, Detail, Evaluation
     const double v_n = dot(v, moved.normal), v_t = dot(v, turned_left(moved.normal)), d = norm(frame_.branch);
 
     const TangentialResponse r = bonded(link.elongation, v_t, dt, law_.k_t, law_.eta_t);
-    const double central = law_.force(d, link.rest) - law_.eta * v_n;
+    const double elastic = law_.force(d, link.rest), viscous = -law_.eta * v_n, central = elastic + viscous;
     out.trial_link.push_back(r.elongation);
+    const Mat2 before = out.virial;
     frame_.scatter(central * n - r.force * turned_left(n), system.state, out);
+    out.link_force.push_back({elastic, viscous, r.force, out.virial + -1.0 * before});
 
     const TangentialBooks books = book(r, link.elongation, v_t, dt, law_.k_t, law_.eta_t, Slip::clamp);
     out.energy.elastic += law_.energy(d, link.rest);

@@ -71,6 +71,7 @@ void TouchFriction::evaluate(const System<2>& system, double dt, Detail detail, 
   body_ = bodies_of_sites(system.topology, system.state.size());
   records_ = contacts_->records(system);
   out.trial_touch.clear();
+  out.touch_force.clear();
   for (const BodyTouch& touch : sum_touches(system, records_, contacts_->law()))
     if (norm(touch.force) > 0) act(system, touch, dt, out);
   std::sort(out.trial_touch.begin(), out.trial_touch.end(),
@@ -94,7 +95,9 @@ void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double 
                scale = scale_of(system, key.site) / (leverage * leverage);
   const TouchResponse r = respond_touch(law_, scale, norm(touch.force), motion, u, dt);
   out.trial_touch.push_back({key, r.tangential.state, r.tangential.elongation});
+  const Mat2 before = out.virial;
   frame_.scatter(r.viscous * n - r.tangential.force * turned_left(n), system.state, out);
+  out.touch_force.push_back({key, r.viscous, r.tangential.force, out.virial + -1.0 * before});
 
   const TangentialBooks books =
       book(r.tangential, u, motion.v_t, dt, scale * law_.k_t, scale * law_.eta_t, law_.slip);

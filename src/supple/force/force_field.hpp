@@ -74,6 +74,7 @@ class ForceField {
   const DiscContacts& contacts() const { return contacts_; }
   /// The contacts of bodies of many sites; null for discs with memory.
   BodyContacts* bodies() const { return bodies_.get(); }
+  const std::shared_ptr<BodyContacts>& shared_bodies() const { return bodies_; }
   const NeighborList<2>& neighbors() const { return neighbors_; }
 
  private:

@@ -123,8 +123,19 @@ BodyStresses body_stresses(const System<2>& system, ForceField& field, const Eva
   shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec2{});
   field.terms().evaluate(system, Detail::forces, shape);
   add_rigid_forces(system, evaluation.force, shape.force);
-  return body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(),
-                       evaluation.wall);
+  BodyStresses s = body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(),
+                                 evaluation.wall);
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  const auto add = [&](const Mat2& moment, std::int32_t one, std::int32_t other) {
+    s.contact += (1 / system.box.volume()) * moment;
+    s.moment[one] += 0.5 * moment;
+    s.moment[other] += 0.5 * moment;
+  };
+  for (const TouchForce& f : evaluation.touch_force)
+    add(f.virial, body[f.key.site], body_of_other(f.key, body));
+  for (std::size_t k = 0; k < evaluation.link_force.size(); ++k)
+    add(evaluation.link_force[k].virial, body[system.links[k].first], body[system.links[k].second]);
+  return s;
 }
 
 }  // namespace supple

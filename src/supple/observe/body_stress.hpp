@@ -17,7 +17,8 @@ struct BodyStresses {
   Mat2 kinetic;  ///< (1/A) sum m u u^T, velocities relative to the flow
   Mat2 shape;    ///< (1/A) sum F r^T over all sites, F of the shape energy or what keeps a body rigid, r
                  ///< unwrapped
-  Mat2 contact;  ///< (1/A) sum F l^T over contacts between bodies: what some codes call the pressure
+  Mat2 contact;  ///< (1/A) sum F l^T over contacts between bodies: what some codes call the pressure; with
+                 ///< friction, viscosity and links, of a force field that has them, half to each body
   Mat2 wall;     ///< (1/A) sum F l^T over sites on walls
   /// Of each body: area times its static stress (9.27), its shape part and its shares of contacts [energy].
   /// They add to the area of the cell times virial().

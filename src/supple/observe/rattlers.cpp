@@ -84,6 +84,15 @@ std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vect
     pushes.add(c.other_body, c.body, -c.force, at - c.shift);
   }
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  for (const Link& link : system.links) {  // holds both ways
+    const Vec2 &from = system.state.position[link.first], &to = system.state.position[link.second];
+    Vec2 r = to - from;
+    system.box.lattice().subtract({1.0 * link.cells[0], 1.0 * link.cells[1]}, r);
+    for (const double sign : {1.0, -1.0}) {
+      pushes.add(body[link.second], body[link.first], sign * r, to);
+      pushes.add(body[link.first], body[link.second], -sign * r, from);
+    }
+  }
   for (const SiteForce<2>& w : outside.wall)
     pushes.add(body[w.site], -1, w.force, system.state.position[w.site]);
   for (int b = 0; b < pushes.bodies(); ++b) pushes.add(b, -1, outside.gravity, pushes.centre(b));
