@@ -8,6 +8,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/whole_number.hpp"
+#include "supple/draw/canvas/superscript.hpp"
 #include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/chart/chart.hpp"
 #include "supple/draw/chart/uncertainty.hpp"
@@ -32,21 +33,26 @@ void check_length(const std::vector<double>& series, std::size_t length, const s
 
 /// "565 ± 20 Pa": both numbers with the prefix of the larger.
 std::string with_error(double value, double error, const std::string& unit) {
+  // Units of their own have no prefixes.
+  if (unit != "Pa") {
+    const std::string number = error < 0 ? short_number(value) : value_with_error(value, error);
+    return with_minus_sign(number) + (unit.empty() ? "" : "\u00a0" + unit);
+  }
   if (error < 0) return with_unit(value, unit);
   const Prefix prefix = si_prefix(std::max(std::abs(value), error));
   return with_minus_sign(value_with_error(value / prefix.factor, error / prefix.factor)) + "\u00a0" +
          prefix.symbol + unit;
 }
 
-std::string moduli_line(const StressEstimate& e) {
-  return fmt::format("{}:  G\u2032 = {},  G\u2033 = {}", e.name, with_error(e.storage, e.storage_error, "Pa"),
-                     with_error(e.loss, e.loss_error, "Pa"));
+std::string moduli_line(const StressEstimate& e, const std::string& unit) {
+  return fmt::format("{}:  G\u2032 = {},  G\u2033 = {}", e.name, with_error(e.storage, e.storage_error, unit),
+                     with_error(e.loss, e.loss_error, unit));
 }
 
 Color color_of(std::size_t stress) { return line_palette[stress % std::size(line_palette)]; }
 
 ChartAxis stress_axis_of(const OscillatoryPlot& plot) {
-  ChartAxis axis = stress_axis;
+  ChartAxis axis{stress_axis.label, plot.stress_unit};
   if (plot.stress_scale) axis.range = {-*plot.stress_scale, *plot.stress_scale};
   return axis;
 }
@@ -63,11 +69,13 @@ std::vector<ChartBand> phases(const OscillatoryPlot& plot) {
 
 ChartColumn against_time(const OscillatoryPlot& plot) {
   const Protocol& p = plot.protocol;
-  ChartPanel strain{time_axis, strain_axis, {{"", plot.time, plot.strain}}, phases(plot)};
-  strain.heading = {
-      fmt::format("A = {:.4g}\u00a0%,  f = {}", 100 * p.amplitude, with_unit(p.frequency, "Hz"))};
+  const ChartAxis time{time_axis.label, plot.time_unit};
+  ChartPanel strain{time, strain_axis, {{"", plot.time, plot.strain}}, phases(plot)};
+  const std::string frequency =
+      plot.time_unit == "s" ? with_unit(p.frequency, "Hz") : short_number(p.frequency);
+  strain.heading = {fmt::format("A = {:.4g}\u00a0%,  f = {}", 100 * p.amplitude, frequency)};
   strain.weight = 0.6;
-  ChartPanel stress{time_axis, stress_axis_of(plot), {}, phases(plot)};
+  ChartPanel stress{time, stress_axis_of(plot), {}, phases(plot)};
   for (std::size_t k = 0; k < plot.stresses.size(); ++k)
     stress.series.push_back({plot.stresses[k].name, plot.time, plot.stresses[k].stress, {}, color_of(k)});
   for (ChartBand& band : stress.bands) band.label.clear();
@@ -111,7 +119,7 @@ ChartColumn lissajous(const OscillatoryPlot& plot) {
   for (int c = 0; c < cycles; ++c) panel.series.push_back(cycle_loop(plot, plot.stresses.front(), c, cycles));
   for (std::size_t k = 0; k < plot.stresses.size(); ++k) {
     ChartSeries ellipse = fitted_ellipse(plot.stresses[k], plot.protocol.amplitude);
-    ellipse.label = moduli_line(plot.stresses[k]);
+    ellipse.label = moduli_line(plot.stresses[k], plot.stress_unit);
     ellipse.color = k == 0 ? black : color_of(k);
     if (k == 0) ellipse.width = 1.2;
     else ellipse.dash = {4, 2};

@@ -19,10 +19,11 @@ struct StressEstimate {
 };
 
 struct OscillatoryPlot {
-  std::vector<double> time, strain;         ///< [s], [1]; time 0 is the start of the first rest
-  std::vector<StressEstimate> stresses;     ///< the loops are those of the first
-  Protocol protocol;                        ///< frequency [Hz]
-  std::optional<double> stress_scale = {};  ///< stress axes from -scale to scale [Pa], to compare figures
+  std::vector<double> time, strain;                 ///< [s], [1]; time 0 is the start of the first rest
+  std::vector<StressEstimate> stresses;             ///< the loops are those of the first
+  Protocol protocol;                                ///< frequency [Hz]
+  std::optional<double> stress_scale = {};          ///< stress axes from -scale to scale, to compare figures
+  std::string time_unit = "s", stress_unit = "Pa";  ///< of what stands above in s, Hz and Pa; empty: reduced
 };
 
 /// Left: strain, and the stresses, against time, rest shaded. Right: the first stress against strain cycle by

@@ -12,6 +12,7 @@
 #include "supple/draw/canvas/superscript.hpp"
 #include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/page/cell_page.hpp"
+#include "supple/draw/scene/contact_style.hpp"
 #include "supple/draw/scene/particle_colors.hpp"
 #include "supple/draw/scene/polygon_layout.hpp"
 #include "supple/draw/scene/polygon_outline.hpp"
@@ -20,7 +21,7 @@ namespace supple {
 
 namespace {
 
-constexpr Color contact_color = hex(0xCC1144), wall_color = hex(0x999999);
+constexpr Color wall_color = hex(0x999999);
 constexpr double arc_step = 0.8;  // [pt]
 
 /// The length or force in its unit, or as it is.
@@ -110,8 +111,10 @@ class PolygonPage {
       for (const std::vector<Vec2>& piece : pieces_[image.body])
         canvas_.polyline(on_page(piece, image.shift), {shade(ink), outline_});
     }
-    for (const ContactImage& line : contacts_)
-      if (line.lies != skipped) draw_contact(line, shade(white), shade(contact_color));
+    for (const ContactStyle& style : contact_styles)
+      for (const ContactImage& line : contacts_)
+        if (line.lies != skipped && scene_.contacts[line.contact].state == style.state)
+          draw_contact(line, shade(white), shade(style.color));
   }
 
   bool is_smooth(std::int32_t body) const {
@@ -140,11 +143,16 @@ class PolygonPage {
     const double share = full_force_ > 0 ? std::min(force / full_force_, 1.2) : 0;
     return std::max(share, 0.15) * widest_;
   }
+  Pen contact_pen(Color color, double force, bool tension) const {
+    Pen pen{color, force_width(force)};
+    if (tension) pen.dash = {std::max(1.5, 1.2 * pen.width), std::max(1.5, 1.2 * pen.width)};
+    return pen;
+  }
   void draw_contact(const ContactImage& line, Color halo, Color color) {
-    const double width = force_width(scene_.contacts[line.contact].force);
+    const SceneContact& contact = scene_.contacts[line.contact];
     const Point from = page_.on_page(line.from), to = page_.on_page(line.to);
-    canvas_.line(from, to, {halo, width + 1.2 * outline_});
-    canvas_.line(from, to, {color, width});
+    canvas_.line(from, to, {halo, force_width(contact.force) + 1.2 * outline_});
+    canvas_.line(from, to, contact_pen(color, contact.force, contact.tension));
   }
 
   Walls walls() const {
@@ -202,13 +210,32 @@ class PolygonPage {
     }
     const double most = full_force_ > 0 ? round_below(full_force_) : 0;
     if (most <= 0) return;
-    canvas_.text({x, y}, "contacts, width: force", {.size = 8, .down = Down::middle});
-    for (const double force : {most, 0.5 * most}) {
+    const auto row = [&](const std::string& name, const Pen& pen) {
       y += CellPage::legend_row;
-      canvas_.line({x, y}, {x + CellPage::legend_sample, y}, {contact_color, force_width(force)});
-      canvas_.text({x + CellPage::legend_sample + 5, y}, shown(force, options_.force_unit),
-                   {.size = 8, .down = Down::middle});
+      canvas_.line({x, y}, {x + CellPage::legend_sample, y}, pen);
+      canvas_.text({x + CellPage::legend_sample + 5, y}, name, {.size = 8, .down = Down::middle});
+    };
+    const auto is_drawn = [&](ContactState state, bool tension) {
+      return std::any_of(scene_.contacts.begin(), scene_.contacts.end(),
+                         [&](const SceneContact& c) { return c.state == state && c.tension == tension; });
+    };
+    const bool differ = std::any_of(scene_.contacts.begin(), scene_.contacts.end(),
+                                    [](const SceneContact& c) { return c.state != ContactState::slip; });
+    Color color = contact_styles.back().color;
+    if (differ) {  // without friction all contacts slip: nothing to tell apart
+      y -= CellPage::legend_row;
+      for (const ContactStyle& style : contact_styles)
+        for (const bool tension : {false, true})
+          if (is_drawn(style.state, tension))
+            row(std::string(style.name) + (tension ? ", tension" : ""),
+                contact_pen(style.color, 0.5 * most, tension));
+      y += 1.3 * CellPage::legend_row;
+      color = gray;
     }
+    canvas_.text({x, y}, differ ? "line width: force" : "contacts, width: force",
+                 {.size = 8, .down = Down::middle});
+    for (const double force : {most, 0.5 * most})
+      row(shown(force, options_.force_unit), {color, force_width(force)});
   }
 
   const PolygonScene& scene_;

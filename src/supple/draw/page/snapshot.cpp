@@ -12,6 +12,7 @@
 #include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/page/cell_page.hpp"
 #include "supple/draw/scene/cell_scene.hpp"
+#include "supple/draw/scene/contact_style.hpp"
 #include "supple/draw/scene/particle_colors.hpp"
 
 namespace supple {
@@ -19,16 +20,6 @@ namespace supple {
 namespace {
 
 constexpr double legend_row = CellPage::legend_row, legend_sample = CellPage::legend_sample;
-
-struct ContactStyle {
-  ContactState state;
-  const char* name;
-  Color color;
-};
-/// In the order of drawing: the few that slip lie on top.
-constexpr std::array<ContactStyle, 3> contact_styles{{{ContactState::permanent, "crosslink", hex(0x555555)},
-                                                      {ContactState::stick, "contact, stick", hex(0x0033AA)},
-                                                      {ContactState::slip, "contact, slip", hex(0xCC1144)}}};
 
 bool is_held(Mobility m) { return m != Mobility::free; }
 double pair_force(const ContactRow& c) { return std::hypot(c.normal_force, c.tangential_force); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "supple/model/box.hpp"
+#include "supple/model/pair_table.hpp"
 
 namespace supple {
 
@@ -24,6 +25,8 @@ struct SceneContact {
   std::int32_t first, second;
   double force;      ///< size of the force, >= 0
   double along = 0;  ///< in [0, 1)
+  ContactState state = ContactState::slip;
+  bool tension = false;  ///< of a link that is stretched
 };
 
 /// Sites [begin[b], begin[b+1]) form body b, as in Topology: one site is a disc; three or more are the

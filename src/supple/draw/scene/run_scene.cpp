@@ -35,7 +35,8 @@ PolygonScene scene_of(const RunInfo& info, const Frame& frame) {
   }
   for (const auto& [name, values] : frame.body) scene.of_bodies.push_back({name, values});
   for (const ContactRow& c : frame.contacts)
-    scene.contacts.push_back({c.first, c.second, std::hypot(c.normal_force, c.tangential_force)});
+    scene.contacts.push_back({c.first, c.second, std::hypot(c.normal_force, c.tangential_force), 0, c.state,
+                              c.state == ContactState::permanent && c.normal_force < 0});
   return scene;
 }
 
