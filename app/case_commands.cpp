@@ -31,6 +31,17 @@ using Json = nlohmann::ordered_json;
 /// Keys that a first case of the experiment shows set, because everybody changes them.
 std::set<std::string> first_keys(const Case& c) {
   const std::string& experiment = c.general.experiment;
+  if (experiment == "oscillatory_shear" && is_deformable(c))
+    return {"experiment",
+            "physics",
+            "seed",
+            "bodies.family",
+            "bodies.N",
+            "bodies.vertices",
+            "jamming.pressure",
+            "particles.cut_lines",
+            "material.friction",
+            "shear.amplitude"};
   if (experiment == "dynamics" && is_deformable(c))
     return {"experiment",
             "physics",
@@ -202,6 +213,7 @@ void init(const std::string& experiment, const std::string& physics, const std::
                       bodies ? "it is about discs of microgels" : "it is about deformable particles",
                       "leave --physics away");
   resolve_family(c);
+  if (experiment == "oscillatory_shear" && is_deformable(c)) c.jamming.pressure = 1e-2;
   if (experiment == "dynamics") c.time.steps = 1000;
   if (experiment == "dynamics" && is_deformable(c)) {
     c.jamming.packing_fraction = 0.6;

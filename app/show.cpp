@@ -159,6 +159,7 @@ std::string summary_of_bodies(const RunFile& run) {
                                  run.seed(), run.version()),
                      0);
   const std::vector<RunValue> results = run.values("results");
+  add_moduli(text, results);
   add_values(text, results.empty() ? run.values("constants") : results);
   return text;
 }

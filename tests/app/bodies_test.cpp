@@ -193,7 +193,7 @@ TEST_F(Bodies, InitKnowsTheDynamicsOfPolygons) {
   ASSERT_EQ(supple("init dynamics --physics deformable").code, 0);
   const std::string text = read_text(path("dynamics.toml"));
   EXPECT_THAT(text, HasSubstr("[bodies]"));
-  EXPECT_THAT(text, Not(HasSubstr("[material]")));
+  EXPECT_THAT(text, Not(HasSubstr("young_modulus")));
   const Outcome check = supple("check dynamics.toml");
   EXPECT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, Not(HasSubstr("warning")));

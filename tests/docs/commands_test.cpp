@@ -28,6 +28,7 @@ bodies="--set bodies.N=9 --set bodies.vertices=8"
 jam="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3"
 case $kind$deformable$given in
   preparation*) more="--set particles.N=40 --set particles.cut_lines=0" ;;
+  oscillatory_shear1*) more="$jam --set shear.periods=2 --set shear.relative_frequency=0.2" ;;
   oscillatory_shear*) more="--set particles.N=40 --set particles.cut_lines=0 --set shear.periods=4"
     more="$more --set shear.relative_frequency=0.2" ;;
   dynamics00) more="--set particles.N=40 --set particles.cut_lines=0 --set time.steps=50" ;;

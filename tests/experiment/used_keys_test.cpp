@@ -170,16 +170,13 @@ TEST(UsedKeys, TheMessageNamesTheKeyThatCounts) {
                 "leave it away; it is used by oscillatory_shear, preparation, dynamics"));
 }
 
-TEST(UsedKeys, DeformableParticlesAreNotShearedNorPreparedAsMicrogels) {
-  for (const char* experiment : {"oscillatory_shear", "preparation"}) {
-    Case c;
-    c.general.experiment = experiment;
-    c.general.physics = "deformable";
-    c.given = {"physics"};
-    EXPECT_THAT(error_of(c),
-                HasSubstr(fmt::format("physics = \"deformable\" with experiment = \"{}\"", experiment)));
-    EXPECT_THAT(error_of(c), HasSubstr("choose another experiment: dynamics, jamming"));
-  }
+TEST(UsedKeys, DeformableParticlesAreNotPreparedAsMicrogels) {
+  Case c;
+  c.general.experiment = "preparation";
+  c.general.physics = "deformable";
+  c.given = {"physics"};
+  EXPECT_THAT(error_of(c), HasSubstr("physics = \"deformable\" with experiment = \"preparation\""));
+  EXPECT_THAT(error_of(c), HasSubstr("choose another experiment: oscillatory_shear, dynamics, jamming"));
 }
 
 TEST(UsedKeys, WhatNeedsAFileIsRefusedWithoutOne) {

@@ -47,9 +47,12 @@ TEST(BodyFlow, ChangeOfTheRateMovesCentresWithTheFlowAndTurnsWithItsVorticity) {
     EXPECT_NEAR(is.velocity[flow] - was.velocity[flow], 0.5 * rise, 1e-13);
     EXPECT_NEAR(is.velocity[gradient], was.velocity[gradient], 1e-13);
     EXPECT_NEAR(is.spin - was.spin, -0.25, 1e-13);
-    for (int i = s.topology.body_begin(b); i + 1 < s.topology.body_end(b); ++i) {  // its edges keep their rates
+    for (int i = s.topology.body_begin(b); i + 1 < s.topology.body_end(b);
+         ++i) {  // its edges keep their rates
       const Vec2 edge = s.state.position[i + 1] - s.state.position[i];
-      const auto rate = [&](const System<2>& of) { return dot(edge, of.state.velocity[i + 1] - of.state.velocity[i]); };
+      const auto rate = [&](const System<2>& of) {
+        return dot(edge, of.state.velocity[i + 1] - of.state.velocity[i]);
+      };
       EXPECT_NEAR(rate(s), rate(before), 1e-13);
     }
   }
@@ -131,9 +134,11 @@ TEST(BodyFlow, LinksAndContactsFollowTheirBodiesToTheSameImages) {
     };
     for (const Link& link : s.links) add(link.first, link.second, link.cells);
     std::vector<Touch> rows = s.touches.rows;
-    std::sort(rows.begin(), rows.end(), [](const Touch& a, const Touch& b) { return a.elongation < b.elongation; });
+    std::sort(rows.begin(), rows.end(),
+              [](const Touch& a, const Touch& b) { return a.elongation < b.elongation; });
     for (const Touch& t : rows)
-      add(t.key.on == TouchOn::site ? t.key.other : s.topology.body_begin(t.key.other), t.key.site, t.key.cells);
+      add(t.key.on == TouchOn::site ? t.key.other : s.topology.body_begin(t.key.other), t.key.site,
+          t.key.cells);
     return r;
   };
   const std::vector<Vec2> before = vectors();

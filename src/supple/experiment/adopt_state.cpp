@@ -82,10 +82,6 @@ HeldKeys keys_of_bodies(const System<2>& s) {
 }
 
 void refuse_other_matter(const Case& c, const std::string& file, bool bodies) {
-  const std::string& experiment = c.general.experiment;
-  if (bodies && experiment == "oscillatory_shear")
-    throw input_error(file + " holds deformable particles", "oscillatory_shear is about discs of microgels",
-                      "choose another experiment, or a state of discs");
   if (bodies && !is_deformable(c))
     throw input_error(file + " holds deformable particles", "the case is about discs of microgels",
                       "set physics = \"deformable\", or leave physics away");

@@ -49,6 +49,7 @@ double start_time(const Case&, const InitialState* initial) {
 }  // namespace
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
+  if (is_deformable(c) && c.shear.rate != "0") return derive_sheared_dynamics(c, initial);
   if (is_deformable(c)) return derive_body_dynamics(c, initial);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
@@ -63,6 +64,7 @@ std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial)
 }
 
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  if (is_deformable(c) && c.shear.rate != "0") return run_sheared_dynamics(c, initial, recorder);
   if (is_deformable(c)) return run_body_dynamics(c, initial, recorder);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
@@ -75,7 +77,8 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
   std::optional<EnergyTable> energies;
-  make_energy_table(energies, recorder, s, c, initial);
+  if (c.output.energies && s.stepper->has_energies())
+    energies.emplace(recorder, *s.stepper, s.system, s.units, c, initial);
   FrameSchedule frames(steps, c.is_given("output.frames") ? c.output.frames : steps + 1);
   std::int64_t stopped_after = 0;
   for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {

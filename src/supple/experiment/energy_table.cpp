@@ -1,5 +1,6 @@
 #include "supple/experiment/energy_table.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "supple/observe/summary.hpp"
@@ -28,15 +29,16 @@ constexpr auto account_opening = "account_opening";
 
 std::string kept_name(const FlowColumn& column) { return std::string("account_") + column.name; }
 
-std::vector<Column> columns() {
-  const char* unit = "J/m";
-  std::vector<Column> out{{"t", "s", "time since the start of the protocol"},
-                          {"kinetic", unit, "of the velocities of free discs"},
+std::vector<Column> columns(bool of_bodies) {
+  const char *unit = of_bodies ? "" : "J/m", *time = of_bodies ? "" : "s";
+  std::vector<Column> out{{"t", time, "time since the start of the protocol"},
+                          {"kinetic", unit, "of the velocities of free discs and vertices"},
                           {"spin", unit, "of all spins"},
                           {"elastic", unit, "stored in contacts and links"},
                           {"tangential", unit, "stored in tangential springs"},
-                          {"wall", unit, "stored in repulsive plates"},
-                          {"total", unit, "sum of these"}};
+                          {"wall", unit, "stored in repulsive plates"}};
+  if (of_bodies) out.push_back({"shape", unit, "stored in shapes"});
+  out.push_back({"total", unit, "sum of these"});
   for (const FlowColumn& c : flow_columns)
     out.push_back({c.name, unit, std::string(c.meaning) + ", since the first row"});
   out.push_back({"residual", unit, "change of total - work + lost, since the first row: error of the step"});
@@ -51,10 +53,14 @@ std::vector<std::string> account_numbers() {
   return names;
 }
 
-EnergyTable::EnergyTable(Recorder& recorder, const Suspension& s, const Case& c, const InitialState* initial)
-    : recorder_(recorder), time_(s.units.time), energy_(s.units.torque()) {
-  recorder_.declare("energy", columns());
-  s.stepper->set_account(&account_);
+EnergyTable::EnergyTable(Recorder& recorder, Stepper& stepper, const System<2>& system, const Units& units,
+                         const Case& c, const InitialState* initial)
+    : recorder_(recorder),
+      time_(units.time),
+      energy_(units.torque()),
+      has_shapes_(!system.topology.begin.empty()) {
+  recorder_.declare("energy", columns(has_shapes_));
+  stepper.set_account(&account_);
   if (!initial || !c.initial.keep_time || !initial->protocol.contains(account_opening)) return;
   const auto kept = [&](const std::string& name) {
     const auto at = initial->protocol.find(name);
@@ -62,7 +68,7 @@ EnergyTable::EnergyTable(Recorder& recorder, const Suspension& s, const Case& c,
   };
   EnergyFlows flows;
   for (const FlowColumn& column : flow_columns) flows.*column.flow = kept(kept_name(column));
-  account_.resume(s.system, kept(account_opening), flows);
+  account_.resume(system, kept(account_opening), flows);
   is_open_ = true;
 }
 
@@ -72,7 +78,9 @@ void EnergyTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   const KineticEnergy kinetic = kinetic_energy(system, evaluation);
   const EnergyState e = energy_state(system, evaluation);
   const EnergyFlows flows = account_.flows(system, evaluation);
-  std::vector<double> row{kinetic.translation, kinetic.spin, e.elastic, e.tangential, e.wall, e.total()};
+  std::vector<double> row{kinetic.translation, kinetic.spin, e.elastic, e.tangential, e.wall};
+  if (has_shapes_) row.push_back(e.terms);
+  row.push_back(e.total());
   for (const FlowColumn& c : flow_columns) row.push_back(flows.*c.flow);
   row.push_back(account_.residual(system, evaluation));
   for (double& x : row) x *= energy_;
@@ -89,9 +97,9 @@ void EnergyTable::finish() {
   for (const FlowColumn& c : flow_columns) keep(kept_name(c), account_.booked().*c.flow);
 }
 
-void make_energy_table(std::optional<EnergyTable>& table, Recorder& recorder, const Suspension& s,
-                       const Case& c, const InitialState* initial) {
-  if (c.output.energies && s.stepper->has_energies()) table.emplace(recorder, s, c, initial);
+double EnergyTable::relative_residual(const System<2>& system, const Evaluation<2>& evaluation) const {
+  const double lost = account_.flows(system, evaluation).lost();
+  return lost > 0 ? std::abs(account_.residual(system, evaluation)) / lost : 0;
 }
 
 }  // namespace supple

@@ -31,13 +31,28 @@ const std::vector<Experiment>& experiments() {
   static const UsedKeys minimised = with(bodies, {"minimise.*"});
   static const UsedKeys moving = with(
       bodies, {"bodies.*", "contact.*", "time.step", "time.step_factor", "motion.damping", "output.frames"});
+  // Particles that rub and are linked, by the keys of crosslinked discs.
+  static const UsedKeys rubbing{"particles.*",
+                                "-particles.N",
+                                "-particles.packing_fraction",
+                                "-particles.bimodal_factor",
+                                "-particles.cut_top_bottom",
+                                "material.friction",
+                                "material.relative_viscosity",
+                                "material.relative_transversal_link_strength",
+                                "material.interface_reenforcement_central",
+                                "material.interface_reenforcement_tangential",
+                                "material.keep_viscosity_coefficients_constant",
+                                "material.slip"};
+  static const UsedKeys sheared =
+      with(with(minimised, rubbing), {"jamming.*", "shear.*", "-shear.rate", "time.step", "time.step_factor",
+                                      "output.*", "-output.relative_y_scale_force", "-output.text"});
   static const std::vector<Experiment> all{
       {"oscillatory_shear",
-       "G' and G'' of a suspension of crosslinked particles under oscillatory shear",
+       "G' and G'' of a suspension of crosslinked particles under oscillatory shear; discs, or deformable "
+       "particles",
        with(discs, {"shear.*", "-shear.rate", "time.step", "time.step_factor", "initial.state", "output.*"}),
-       {},
-       derive_oscillatory_shear,
-       run_oscillatory_shear},
+       sheared, derive_oscillatory_shear, run_oscillatory_shear},
       {"preparation",
        "such a suspension brought to rest, for runs that start from it",
        with(discs, {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor", "time.step",
@@ -50,7 +65,9 @@ const std::vector<Experiment>& experiments() {
        with(discs, {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor", "shear.rate",
                     "time.*", "initial.state", "initial.keep_time", "output.tensors", "output.energies",
                     "output.frames", "output.plot"}),
-       with(moving, {"jamming.packing_fraction", "motion.kinetic_energy", "time.steps", "initial.keep_time"}),
+       with(with(moving, rubbing),
+            {"jamming.packing_fraction", "motion.kinetic_energy", "time.steps", "initial.keep_time",
+             "shear.rate", "shear.cool_factor", "shear.relative_frequency", "output.tensors"}),
        derive_dynamics, run_dynamics},
       {"jamming",
        "isotropic compression of deformable particles to a jammed packing (9.4)",

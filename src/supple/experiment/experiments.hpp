@@ -54,8 +54,13 @@ std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialSta
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder);
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial);
 void run_slump(const Case& c, const InitialState* initial, Recorder& recorder);
-/// `dynamics` of deformable particles.
+/// `oscillatory_shear` of deformable particles.
+std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initial);
+void run_body_shear(const Case& c, const InitialState* initial, Recorder& recorder);
+/// `dynamics` of deformable particles; the second pair with a shear rate.
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial);
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
+std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial);
+void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
 
 }  // namespace supple

@@ -1,7 +1,9 @@
 #include "supple/experiment/frame.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "supple/model/links.hpp"
@@ -35,7 +37,9 @@ Frame frame_of_sites(const System<2>& system, const Evaluation<2>& evaluation) {
 /// Two corners that meet head on act on each other's edges: one contact.
 void join(ContactRow& row, const ContactRow& other) {
   row.normal_force += other.normal_force;
+  row.tangential_force += other.tangential_force;
   row.elastic += other.elastic;
+  row.viscous += other.viscous;
   row.force += other.force;
 }
 
@@ -65,13 +69,70 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
   return frame;
 }
 
+namespace {
+
+/// What friction and viscosity add to the contacts of bodies.
+class Rubbing {
+ public:
+  explicit Rubbing(const Evaluation<2>& evaluation) {
+    for (const Touch& touch : evaluation.trial_touch) touch_[name(touch.key)] = &touch;
+    for (const TouchForce& force : evaluation.touch_force) force_[name(force.key)] = &force;
+  }
+
+  /// Adds it to the row of a contact between a site and another one of that body.
+  void add_to(ContactRow& row, const SiteContact& c) const {
+    for (const auto& [on, other] :
+         {std::pair(TouchOn::site, c.other), std::pair(TouchOn::body, c.other_body)}) {
+      const auto touch = touch_.find({c.site, on, other});
+      const auto force = force_.find({c.site, on, other});
+      if (touch == touch_.end() || force == force_.end()) continue;
+      const double size = norm(c.force);
+      const Vec2 n = (1 / size) * c.force;
+      const Vec2 added = force->second->viscous * n - force->second->tangential * turned_left(n);
+      row.state = touch->second->state;
+      row.elongation = row.elongation_back = touch->second->elongation;
+      row.viscous = force->second->viscous;
+      row.normal_force += row.viscous;
+      // t turns with n, and the force is on the other side: the number is the same for first and second.
+      row.tangential_force = force->second->tangential;
+      row.force += c.site == row.first ? added : -added;
+      return;
+    }
+  }
+
+ private:
+  using Name = std::tuple<std::int32_t, TouchOn, std::int32_t>;
+  static Name name(const TouchKey& key) { return {key.site, key.on, key.other}; }
+  std::map<Name, const Touch*> touch_;
+  std::map<Name, const TouchForce*> force_;
+};
+
+void append_links(const System<2>& system, const Evaluation<2>& evaluation, std::vector<ContactRow>& rows) {
+  for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
+    const Link& link = system.links[k];
+    const LinkForce& f = evaluation.link_force[k];
+    Vec2 n = system.state.position[link.second] - system.state.position[link.first];
+    system.box.lattice().subtract({1.0 * link.cells[0], 1.0 * link.cells[1]}, n);
+    if (const double d = norm(n); d > 0) n = (1 / d) * n;
+    const double normal = f.elastic + f.viscous, u = evaluation.trial_link[k];
+    rows.push_back({link.first, link.second, ContactState::permanent, u, u, normal, f.tangential, f.elastic,
+                    f.viscous, -normal * n + f.tangential * turned_left(n)});
+  }
+}
+
+}  // namespace
+
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
                  const std::vector<ContactRecord<2>>& records, const Harmonic& law) {
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
-  for (const SiteContact& c : site_contacts(system, records, law))
+  const Rubbing rubbing(evaluation);
+  for (const SiteContact& c : site_contacts(system, records, law)) {
     rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0,
                     c.normal_force(), 0, c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
+    rubbing.add_to(rows.back(), c);
+  }
+  append_links(system, evaluation, rows);
   const auto pair = [](const ContactRow& row) { return std::pair(row.first, row.second); };
   std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return pair(a) < pair(b); });
   std::size_t kept = 0;

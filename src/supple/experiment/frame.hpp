@@ -11,8 +11,8 @@ namespace supple {
 /// The instant of `evaluation`: contacts of discs as it found them.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// The same of bodies with these contacts: rows ascending, without friction. Two corners that meet head on,
-/// each of which acts on the other's edges, are one row.
+/// The same of bodies with these contacts: rows ascending, with the friction and the links of the evaluation.
+/// Two corners that meet head on, each of which acts on the other's edges, are one row.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
                  const std::vector<ContactRecord<2>>& records, const Harmonic& law);
 

@@ -66,25 +66,31 @@ Gap gap_of(const System<2>& system, const Units& units) {
   return {system.box.length[gradient] * units.length, mass / system.box.volume() * units.density()};
 }
 
+Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, DriftCorrection correction,
+                            Recorder& recorder) {
+  const Demodulation d = demodulate(s.time, s.stress, protocol, correction);
+  const auto value = [&](const char* what, const std::string& unit, const std::string& says, double v,
+                         double error = -1) {
+    recorder.value("results", {std::string(what) + "_" + s.name, unit, says}, v, error);
+  };
+  value("storage_modulus", s.unit, "G' from " + s.meaning, d.storage.value, d.storage.error);
+  value("loss_modulus", s.unit, "G'' from " + s.meaning, d.loss.value, d.loss.error);
+  value("storage_change", s.unit, "change of G' from cycle to cycle", d.storage.change,
+        d.storage.change_error);
+  value("loss_change", s.unit, "change of G'' from cycle to cycle", d.loss.change, d.loss.change_error);
+  value("in_phase_stress", s.unit, "amplitude in phase with the strain", d.in_phase);
+  value("out_of_phase_stress", s.unit, "amplitude in phase with the strain rate", d.out_of_phase);
+  value("third_harmonic", s.unit, "amplitude of the third harmonic", d.third_amplitude);
+  value("third_harmonic_phase", "rad", "phase of the third harmonic", d.third_phase);
+  return d;
+}
+
 void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
                    const Gap& gap, Recorder& recorder) {
   const auto record = [&](const std::string& name, const std::vector<double>& stress,
                           const std::string& meaning) {
-    const Demodulation d = demodulate(table.time(), stress, protocol, correction);
-    const auto value = [&](const char* what, const char* unit, const std::string& says, double v,
-                           double error = -1) {
-      recorder.value("results", {std::string(what) + "_" + name, unit, says}, v, error);
-    };
-    value("storage_modulus", "Pa", "G' from " + meaning, d.storage.value, d.storage.error);
-    value("loss_modulus", "Pa", "G'' from " + meaning, d.loss.value, d.loss.error);
-    value("storage_change", "Pa", "change of G' from cycle to cycle", d.storage.change,
-          d.storage.change_error);
-    value("loss_change", "Pa", "change of G'' from cycle to cycle", d.loss.change, d.loss.change_error);
-    value("in_phase_stress", "Pa", "amplitude in phase with the strain", d.in_phase);
-    value("out_of_phase_stress", "Pa", "amplitude in phase with the strain rate", d.out_of_phase);
-    value("third_harmonic", "Pa", "amplitude of the third harmonic", d.third_amplitude);
-    value("third_harmonic_phase", "rad", "phase of the third harmonic", d.third_phase);
-    return Estimate{name, d};
+    return Estimate{
+        name, record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, correction, recorder)};
   };
   const bool plated = !table.plates().empty();
   std::vector<Estimate> first;

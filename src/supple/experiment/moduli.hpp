@@ -17,6 +17,17 @@ Gap gap_of(const System<2>& system, const Units& units);
 /// Below this many heights a wave is taken to be near the resonance: the stress varies from plate to plate.
 inline constexpr double short_wavelength = 1.5;
 
+/// A stress series, and what it is of.
+struct StressSeries {
+  std::string name, meaning, unit;
+  const std::vector<double>& time;
+  const std::vector<double>& stress;
+};
+/// Values in the group "results": storage_modulus_NAME, loss_modulus_NAME, their changes from cycle to cycle,
+/// and the harmonics.
+Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, DriftCorrection correction,
+                            Recorder& recorder);
+
 /// Values in the group "results": storage_modulus_X, loss_modulus_X, ... for X = plates (where there are
 /// plates), virial, periodic, and the published internal, external and external_corrected. Warns where
 /// estimators differ, where cycles drift, where the jump correction is large, and near the resonance of the

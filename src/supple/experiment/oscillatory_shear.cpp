@@ -15,7 +15,7 @@
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
-#include "supple/experiment/protocol.hpp"
+#include "supple/experiment/shear_protocol.hpp"
 #include "supple/experiment/suspension.hpp"
 
 namespace supple {
@@ -32,45 +32,6 @@ struct ShearProtocol {
   std::function<ShearRates(std::int64_t step, double time)> rates;
 };
 
-/// Number of the protocol: the user's key, else the state's, else the default.
-double protocol_number(const Case& c, const InitialState* initial, const char* key, const char* stored,
-                       double of_case) {
-  if (!initial || c.is_given(std::string("shear.") + key)) return of_case;
-  const auto at = initial->protocol.find(stored);
-  return at == initial->protocol.end() ? of_case : at->second;
-}
-
-/// A step shorter than stability needs, where the oscillation is fast: twice what a cycle must have to be
-/// demodulated.
-constexpr int least_steps_per_period = 2 * least_samples_of_cycle;
-
-OscillatoryProtocol documented_protocol(const Case& c, const InitialState* initial,
-                                        const MicrogelConstants& k) {
-  OscillatoryProtocol p;
-  p.amplitude = protocol_number(c, initial, "amplitude", "amplitude", c.shear.amplitude);
-  p.frequency = k.frequency;
-  const double pre = protocol_number(c, initial, "pre_periods", "pre", c.shear.pre_periods);
-  const double periods = protocol_number(c, initial, "periods", "periods", c.shear.periods);
-  const double post = protocol_number(c, initial, "post_periods", "post", c.shear.post_periods);
-  if (periods < 1)
-    throw input_error(fmt::format("shear.periods = {} is less than one period", periods),
-                      "G', G'', offset and drift of the stress cannot be told apart", "set it to 1 or more");
-  const double per_period =
-      std::max(std::ceil(1 / (k.frequency * k.time_step) * (1 - 1e-12)), 1.0 * least_steps_per_period);
-  if (!(per_period * (pre + periods + post) < most_counted))
-    throw input_error(
-        fmt::format("the protocol has {:.3g} steps, {:.3g} in a period", per_period * (pre + periods + post),
-                    per_period),
-        fmt::format("it can have {:.0g}", most_counted),
-        fmt::format("raise shear.relative_frequency (to {:.1g} or more)",
-                    c.shear.relative_frequency * per_period * (pre + periods + post) / most_counted));
-  p.steps_per_period = std::llround(per_period);
-  p.pre_steps = std::llround(pre * per_period);
-  p.shear_steps = std::llround(periods * per_period);
-  p.post_steps = std::llround(post * per_period);
-  return p;
-}
-
 ShearProtocol make_protocol(const Case& c, const InitialState* initial) {
   if (is_package(c)) {
     const ParticleShearRun r = derive_particleshear(c, initial);
@@ -84,15 +45,15 @@ ShearProtocol make_protocol(const Case& c, const InitialState* initial) {
               return ShearRates{r.rate_at(step, time), 0};
             }};
   }
-  const OscillatoryProtocol p = documented_protocol(c, initial, derive_constants(c, initial));
-  return {
-      {p.frequency, p.amplitude, p.periods(p.pre_steps), p.periods(p.shear_steps), p.periods(p.post_steps)},
-      DriftCorrection::right,
-      p.steps(),
-      p.steps() + 1,
-      p.time_step(),
-      std::pow(c.shear.cool_factor, p.periods(1)),
-      [p](std::int64_t step, double) { return p.rates(step); }};
+  const MicrogelConstants k = derive_constants(c, initial);
+  const OscillatoryProtocol p = oscillatory_protocol(c, initial, k.frequency, k.time_step);
+  return {windows_of(p),
+          DriftCorrection::right,
+          p.steps(),
+          p.steps() + 1,
+          p.time_step(),
+          std::pow(c.shear.cool_factor, p.periods(1)),
+          [p](std::int64_t step, double) { return p.rates(step); }};
 }
 
 /// Of the suspension that is to be made, or of the state.
@@ -110,14 +71,11 @@ double scaffold_modulus(const MicrogelConstants& k) {
 }  // namespace
 
 std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial) {
+  if (is_deformable(c)) return derive_body_shear(c, initial);
   const ShearProtocol p = make_protocol(c, initial);
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
-  all.push_back({{"frequency", "Hz", "of the oscillation"}, p.windows.frequency});
-  all.push_back({{"strain_amplitude", "", "A"}, p.windows.amplitude});
-  all.push_back({{"pre_periods", "", "periods of rest before"}, p.windows.pre});
-  all.push_back({{"periods", "", "periods of shear"}, p.windows.periods});
-  all.push_back({{"post_periods", "", "periods of rest after"}, p.windows.post});
+  for (Derived& d : derived_protocol(p.windows, "Hz")) all.push_back(std::move(d));
   all.push_back({{"time_step", "s", "time step"}, p.time_step});
   all.push_back({{"damping_factor", "", "factor per step on velocity relative to the flow"}, p.damping});
   all.push_back({{"steps_per_period", "", "steps per period"}, 1 / (p.windows.frequency * p.time_step)});
@@ -132,6 +90,7 @@ std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState*
 }
 
 void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder) {
+  if (is_deformable(c)) return run_body_shear(c, initial, recorder);
   const std::clock_t start = std::clock();
   const ShearProtocol protocol = make_protocol(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
@@ -144,7 +103,8 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
 
   StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
   std::optional<EnergyTable> energies;
-  make_energy_table(energies, recorder, s, c, initial);
+  if (c.output.energies && s.stepper->has_energies())
+    energies.emplace(recorder, *s.stepper, s.system, s.units, c, initial);
   FrameSchedule frames(protocol.rows - 1, std::max(c.output.images, c.output.frames));
   for (std::int64_t i = 0; i < protocol.rows; ++i) {
     const ShearRates rates = protocol.rates(i, s.system.time);

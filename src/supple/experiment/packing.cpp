@@ -15,6 +15,7 @@
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/polygon_shape.hpp"
+#include "supple/model/body_flow.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/shape_measures.hpp"
 
@@ -52,12 +53,15 @@ WallLaw wall_law(const Case& c) {
 
 namespace {
 
-void check_initial(const InitialState* initial) {
-  if (initial && initial->system.topology.begin.empty())
+void check_initial(const Case& c, const InitialState* initial, const Making& making) {
+  if (!initial) return;
+  if (initial->system.topology.begin.empty())
     throw input_error("the state to start from holds no bodies", "its discs are of the microgel model",
                       "start from a run of deformable particles, or from [bodies]");
-  if (initial && initial->system.box.strain_rate != 0)
-    throw input_error("the state to start from is being sheared", "bodies move in a cell that is not");
+  if (!initial->system.links.empty() && making.flow == Flow::stopped)
+    throw input_error("the state to start from holds crosslinked particles",
+                      fmt::format("{} would leave their links out", c.general.experiment),
+                      "shear them, or start from particles without links");
 }
 
 bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
@@ -143,8 +147,12 @@ Packing packing_of(const Case& c, System<2> system) {
 }
 
 /// The particles of a state with the stiffnesses of the case.
-System<2> given_system(const Case& c, const InitialState& initial) {
+System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
   System<2> system = initial.system;
+  if (flow == Flow::stopped) {
+    set_strain_rate(system, 0);
+    system.touches = {};  // only contacts that rub remember
+  }
   give_stiffness(c, system);
   return system;
 }
@@ -156,10 +164,10 @@ namespace {
 /// The particles of a state, or random ones of the case.
 Packing packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
                      const Enclosure& enclosure, const Making& making) {
-  check_initial(initial);
+  check_initial(c, initial, making);
   Packing p;
   if (initial) {
-    p = packing_of(c, given_system(c, *initial));
+    p = packing_of(c, given_system(c, *initial, making.flow));
   } else if (making.places == Places::apart) {
     const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
     p = packing_of(c, particles_apart(c));
@@ -204,7 +212,7 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
   if (initial && !is_periodic(initial->system))
     throw input_error("the state to start from lies between walls",
-                      fmt::format("{} shrinks a periodic cell", c.general.experiment),
+                      fmt::format("{} needs a periodic cell", c.general.experiment),
                       "start from a periodic packing");
   return make_packing(c, initial, c.jamming.packing_fraction, making);
 }

@@ -43,9 +43,14 @@ enum class Places {
   apart    ///< far apart in a square array, at no cost: for numbers that do not depend on where they are
 };
 
+/// What becomes of the flow, the links and the memory of a state that was sheared: the flow stops, links are
+/// refused and contacts forget; or all go on.
+enum class Flow { stopped, kept };
+
 struct Making {
   Places places = Places::random;
   StopRequest stop_requested;  ///< asked while particles find their places
+  Flow flow = Flow::stopped;
 };
 
 /// The particles of the case at random positions that do not overlap in a square periodic cell of this

@@ -89,6 +89,25 @@ void begin_packing(Packing& packing, const std::vector<Derived>& constants, Reco
                  law.relative);
 }
 
+namespace {
+
+/// Links are contacts too where neighbours are counted.
+std::vector<SiteContact> with_links(std::vector<SiteContact> contacts, const System<2>& system,
+                                    const Evaluation<2>& evaluation) {
+  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+  for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
+    const Link& link = system.links[k];
+    const Vec2 shift = system.box.lattice().vector({1.0 * link.cells[0], 1.0 * link.cells[1]});
+    Vec2 n = system.state.position[link.second] - system.state.position[link.first] - shift;
+    if (const double d = norm(n); d > 0) n = (1 / d) * n;
+    contacts.push_back({link.second, link.first, body[link.second], body[link.first],
+                        (evaluation.link_force[k].elastic + evaluation.link_force[k].viscous) * n, shift});
+  }
+  return contacts;
+}
+
+}  // namespace
+
 PackingReport report_packing(Packing& packing) {
   PackingReport r;
   System<2>& s = packing.system;
@@ -96,7 +115,7 @@ PackingReport report_packing(Packing& packing) {
   BodyContacts& contacts = *packing.field->bodies();
   r.records = contacts.records(s);
   r.contacts = site_contacts(s, r.records, contacts.law());
-  r.network = contact_network(s, r.contacts, r.evaluation.wall);
+  r.network = contact_network(s, with_links(r.contacts, s, r.evaluation), r.evaluation.wall);
   r.rattlers = find_rattlers(s, r.contacts, {r.evaluation.wall, packing.field->external().gravity});
   r.numbers = count_contacts(r.network, r.rattlers);
   r.constraints = count_constraints(s, r.contacts, r.rattlers, r.evaluation.wall);
@@ -196,7 +215,8 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system));
   number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
-  if (!open)
+  // Friction and links hold more than one push a contact does.
+  if (!open && packing.field->interactions().empty())
     number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs",
            r.constraints.excess());
   if (const auto shape = mean_shape_parameter(r.shapes))

@@ -11,9 +11,9 @@
 namespace supple {
 
 /// How packings are made to derive numbers from, and to run.
-inline const Making set_apart{Places::apart, {}};
+inline const Making set_apart{Places::apart, {}, Flow::stopped};
 inline Making at_random(const Recorder& recorder) {
-  return {Places::random, [&recorder] { return recorder.stop_requested(); }};
+  return {Places::random, [&recorder] { return recorder.stop_requested(); }, Flow::stopped};
 }
 
 /// Numbers that are known before the run.

@@ -27,6 +27,7 @@ struct Need {
 
 bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
 bool is(const Case& c, std::string_view experiment) { return c.general.experiment == experiment; }
+bool shears_bodies(const Case& c) { return is(c, "dynamics") && is_deformable(c) && c.shear.rate != "0"; }
 bool starts_from_file(const Case& c) { return !c.initial.state.empty() || !c.initial.packing.empty(); }
 bool has_links(const Case& c) { return c.particles.permanent_links; }
 bool has_plateau(const Case& c) { return c.material.elastic_law == "plateau"; }
@@ -46,6 +47,17 @@ const std::vector<Need>& needs() {
       {"shear.amplitude shear.relative_frequency shear.cool_factor time.step time.step_factor", physics,
        [](const Case& c) { return !is(c, "preparation") || is_package(c); },
        "physics = \"particleshear-1.0.2\": as documented the sample knows nothing of the protocol"},
+      {"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", value,
+       [](const Case& c) { return !shears_bodies(c); },
+       "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
+      {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links particles.cut "
+       "particles.cut_lines particles.edge_fuzziness particles.avoid_horizontal_angle_degree "
+       "particles.avoid_height_spanning_particles particles.max_cut_tries particles.remove_link_fraction "
+       "material.friction material.relative_viscosity material.relative_transversal_link_strength "
+       "material.interface_reenforcement_central material.interface_reenforcement_tangential "
+       "material.keep_viscosity_coefficients_constant material.slip",
+       value, [](const Case& c) { return !is(c, "dynamics") || !is_deformable(c) || shears_bodies(c); },
+       "shear.rate: particles rub, and may be linked, where the cell is sheared"},
       {"initial.keep_time", start, [](const Case&) { return false; }, "a file to start from"},
       {"contact.k_p contact.floor_friction", start, [](const Case& c) { return !is(c, "dynamics"); },
        "walls: dynamics has those of the file that it starts from"},

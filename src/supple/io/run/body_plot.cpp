@@ -9,6 +9,7 @@
 #include "supple/core/error.hpp"
 #include "supple/draw/chart/chart.hpp"
 #include "supple/draw/chart/pressure_plot.hpp"
+#include "supple/io/run/run_pictures.hpp"
 
 namespace supple {
 
@@ -117,12 +118,14 @@ void plot_motion(const std::string& path, const RunFile& run) {
 }  // namespace
 
 std::string body_plot_subject(const Case& c) {
+  if (c.general.experiment == "oscillatory_shear") return "stress";
   if (c.general.experiment == "jamming" || c.general.experiment == "compression") return "pressure";
   return c.general.experiment == "uniaxial_compression" ? "force" : "energy";
 }
 
 void draw_body_plot(const std::string& path, const RunFile& run) {
   const std::string experiment = run.experiment();
+  if (experiment == "oscillatory_shear") return draw_run_plot(path, run);
   const bool moves = experiment == "dynamics" || experiment == "slump";
   check_rows(run, moves ? "motion" : "packing");
   if (moves) plot_motion(path, run);

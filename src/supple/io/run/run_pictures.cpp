@@ -58,9 +58,10 @@ StressEstimate estimate(const RunFile& run, const StressName& of, const std::vec
   return e;
 }
 
-/// (xx + yy)/2 of the overall tensor; empty where the run holds no tensors.
+/// (xx + yy)/2 of the virial of bodies, or of the overall tensor; empty where the run holds no tensors.
 std::vector<double> pressure(const RunFile& run) {
   for (const Column& c : run.columns(stress_table)) {
+    if (c.name == "pressure") return run.column(stress_table, c.name);
     if (c.name != "overall_00") continue;
     std::vector<double> p = run.column(stress_table, "overall_00");
     const std::vector<double> yy = run.column(stress_table, "overall_11");
@@ -87,7 +88,7 @@ void draw_run_plot(const std::string& path, const RunFile& run) {
   const std::vector<double> time = run.column(stress_table, "t"), strain = run.column(stress_table, "strain");
   const Case c = run.resolved_case();
   const std::vector<StressName> names = drawn_stresses(run, c);
-  if (!run.find_value("results", "storage_modulus_internal")) {
+  if (!run.find_value("results", "storage_modulus_virial")) {
     DynamicsPlot plot{time, strain, {}, pressure(run)};
     for (const StressName& s : names)
       plot.stresses.push_back({s.legend, run.column(stress_table, std::string("shear_stress_") + s.key)});
@@ -97,6 +98,10 @@ void draw_run_plot(const std::string& path, const RunFile& run) {
   const Protocol protocol = protocol_of(run);
   const double scale = c.output.relative_y_scale_force * c.material.young_modulus;
   OscillatoryPlot plot{time, strain, {}, protocol, scale > 0 ? std::optional(scale) : std::nullopt};
+  for (const Column& column : run.columns(stress_table)) {
+    if (column.name == "t") plot.time_unit = column.unit;
+    if (column.name == "shear_stress_virial") plot.stress_unit = column.unit;
+  }
   for (const StressName& s : names) plot.stresses.push_back(estimate(run, s, time, protocol));
   plot_oscillatory(path, plot);
 }

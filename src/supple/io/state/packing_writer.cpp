@@ -128,6 +128,7 @@ void write_environment(const Environment& e, Json& root) {
 void write_packing_json(const StoredPacking& packing, const std::string& path, Existing existing) {
   const System<2>& system = packing.system;
   if (system.shape.empty()) refuse("its bodies have no preferred shapes");
+  if (!system.links.empty()) refuse("its particles are crosslinked, and the layout has no links");
   std::optional<ShapeSpec> spec = common_spec(system, StiffnessKind::relative);
   if (!spec) spec = common_spec(system, StiffnessKind::absolute);
   if (!spec) refuse("its bodies have different stiffnesses");

@@ -1,0 +1,114 @@
+#include "supple/experiment/body_rheology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "supple/contact/link_forces.hpp"
+#include "supple/contact/touch_friction.hpp"
+#include "supple/experiment/suspension.hpp"
+#include "supple/model/body_links.hpp"
+#include "supple/solve/body_dynamics.hpp"
+
+namespace supple {
+
+namespace {
+
+double mean(const std::vector<double>& x) {
+  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+}
+
+/// Sites that touch: the one of a record, and of the others that which bears most of it.
+TouchingSites touching_sites(const ContactRecord<2>& record) {
+  int on = 0, other = -1;
+  for (int k = 0; k < record.sites; ++k) {
+    if (record.weight[k] > 0) on = k;
+    else if (other < 0 || record.weight[k] < record.weight[other]) other = k;
+  }
+  TouchingSites pair{record.site[other], record.site[on], {}};
+  for (std::size_t d = 0; d < record.cells.size(); ++d) pair.cells[d] = record.cells[d];
+  return pair;
+}
+
+/// Share of the stability limit that is used.
+constexpr double step_share = 0.1;
+constexpr double neighbours = 6;
+
+}  // namespace
+
+BodyLaws body_laws(const Case& c, const Packing& packing) {
+  const State<2>& s = packing.system.state;
+  const Material& m = c.material;
+  BodyLaws laws;
+  laws.k = packing.field->bodies()->law().spring(2 * mean(s.radius));
+  laws.mass = mean(s.mass);
+  const double body_mass = laws.mass * s.size() / packing.system.topology.body_count(s.size());
+  laws.tau = std::sqrt(body_mass / laws.k);
+
+  TouchLaw& touch = laws.touch;
+  touch.friction = m.friction;
+  touch.k_t = m.friction > 0 ? tangential_stiffness(m.relative_transversal_link_strength, laws.k) : 0;
+  touch.eta = viscosity(m.relative_viscosity, laws.mass, laws.k);
+  touch.eta_t = m.relative_transversal_link_strength * touch.eta;
+  touch.slip = m.slip == "freeze" ? Slip::freeze : m.slip == "reset" ? Slip::reset : Slip::clamp;
+
+  const double central = 1 / m.interface_reenforcement_central,
+               tangential = 1 / m.interface_reenforcement_tangential;
+  const bool keep = m.keep_viscosity_coefficients_constant;
+  laws.link = {laws.k * central, touch.eta * (keep ? 1 : central),
+               m.relative_transversal_link_strength * laws.k * tangential,
+               touch.eta_t * (keep ? 1 : tangential)};
+  return laws;
+}
+
+std::vector<Derived> derived_laws(const BodyLaws& laws) {
+  const TouchLaw& t = laws.touch;
+  const LinkLaw& l = laws.link;
+  return {{{"mean_mass", "", "mass of a vertex"}, laws.mass},
+          {{"time_constant", "", "tau = sqrt(m/k), m the mean mass of a particle"}, laws.tau},
+          {{"friction", "", "Coulomb coefficient mu"}, t.friction},
+          {{"spring_constant", "", "k of a contact of two vertices of mean size"}, laws.k},
+          {{"tangential_spring_constant", "", "k_t of contacts"}, t.k_t},
+          {{"viscosity", "", "eta of contacts, relative_viscosity sqrt(mean_mass k)"}, t.eta},
+          {{"tangential_viscosity", "", "eta_t of contacts"}, t.eta_t},
+          {{"link_spring_constant", "", "k of permanent links"}, l.k},
+          {{"link_tangential_spring_constant", "", "k_t of permanent links"}, l.k_t},
+          {{"link_viscosity", "", "eta of permanent links"}, l.eta},
+          {{"link_tangential_viscosity", "", "eta_t of permanent links"}, l.eta_t}};
+}
+
+void add_rheology(const BodyLaws& laws, Packing& packing) {
+  const TouchLaw& t = laws.touch;
+  if (t.friction > 0 || t.eta > 0)
+    packing.field->add(std::make_shared<TouchFriction>(packing.field->shared_bodies(), t));
+  packing.field->add(std::make_shared<LinkForces>(laws.link));
+}
+
+int crosslink_bodies(const Case& c, Packing& packing) {
+  Evaluation<2> evaluation;
+  packing.field->evaluate(packing.system, Detail::forces, evaluation);
+  std::vector<TouchingSites> touching;
+  for (const ContactRecord<2>& record : packing.field->bodies()->records(packing.system))
+    if (record.multiplicity > 0) touching.push_back(touching_sites(record));
+  CrosslinkSpec spec = crosslink_spec(c);
+  spec.cut_top_bottom = false;  // there are no plates
+  link_bodies(packing.system, std::move(touching), spec, static_cast<std::uint64_t>(c.general.seed));
+  packing.field->invalidate();
+  const std::vector<std::int32_t> cluster = linked_clusters(packing.system);
+  return cluster.empty() ? 0 : *std::max_element(cluster.begin(), cluster.end()) + 1;
+}
+
+double sheared_body_step(const Case& c, const BodyLaws& laws, Packing& packing) {
+  if (c.time.time_step > 0) return c.time.time_step;
+  const std::vector<double>& masses = packing.system.state.mass;
+  const double mass = *std::min_element(masses.begin(), masses.end());
+  const double conservative = frequency_bound(packing.system, *packing.field);
+  const double springs = std::max(3 * laws.touch.k_t, laws.link.k + 3 * laws.link.k_t),
+               dashpots =
+                   std::max(laws.touch.eta + 3 * laws.touch.eta_t, laws.link.eta + 3 * laws.link.eta_t);
+  const double w = std::sqrt(conservative * conservative + neighbours * springs / mass);
+  const double z = neighbours * dashpots / (2 * mass * w);
+  return c.time.step_factor * step_share * 2 / w * (std::sqrt(1 + z * z) - z);
+}
+
+}  // namespace supple
