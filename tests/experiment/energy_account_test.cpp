@@ -6,6 +6,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/suspension.hpp"
 #include "supple/solve/disc_dynamics.hpp"
 
 namespace supple {
@@ -58,7 +59,7 @@ void expect_last(const MemoryRecorder& r, const char* column, double expected) {
 TEST(EnergyAccountOfARun, IsInJoulePerMetreWhateverTheUnits) {
   MemoryRecorder r;
   Suspension s = free_discs();
-  EnergyTable table(r, s, Case{}, nullptr);
+  EnergyTable table(r, *s.stepper, s.system, s.units, Case{}, nullptr);
   record_steps(table, s);
   const MemoryRecorder::Table& rows = r.tables.at("energy");
   EXPECT_NEAR(rows.column("kinetic").front(), joule_per_metre * translation, 1e-12 * joule_per_metre);
@@ -82,7 +83,7 @@ TEST(EnergyAccountOfARun, GoesOnFromJoulePerMetreWhateverTheUnits) {
   MemoryRecorder first;
   Suspension s = free_discs();
   {
-    EnergyTable table(first, s, Case{}, nullptr);
+    EnergyTable table(first, *s.stepper, s.system, s.units, Case{}, nullptr);
     record_steps(table, s);
   }
   InitialState initial;
@@ -90,7 +91,7 @@ TEST(EnergyAccountOfARun, GoesOnFromJoulePerMetreWhateverTheUnits) {
   Case c;
   c.initial.keep_time = true;
   MemoryRecorder second;
-  EnergyTable table(second, s, c, &initial);
+  EnergyTable table(second, *s.stepper, s.system, s.units, c, &initial);
   record_steps(table, s);
   const double left = std::pow(factor, 4 * steps);
   EXPECT_NEAR(second.tables.at("energy").column("lost_background").front(),
