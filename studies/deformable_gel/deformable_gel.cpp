@@ -55,8 +55,8 @@ Point measure(Case c, const Condition& condition, double amplitude, int seeds) {
     MemoryRecorder r;
     supple::run(c, nullptr, r);
     for (const std::string& warning : r.warnings) fmt::print(stderr, "{}: {}\n", condition.name, warning);
-    storage.push_back(r.get("results", "storage_modulus_virial"));
-    loss.push_back(r.get("results", "loss_modulus_virial"));
+    storage.push_back(r.get("results", "storage_modulus_total"));
+    loss.push_back(r.get("results", "loss_modulus_total"));
     residual.push_back(r.get("results", "energy_residual"));
   }
   return {mean(storage), mean(loss), mean(residual)};

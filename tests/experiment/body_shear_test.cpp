@@ -88,12 +88,44 @@ TEST_P(BodyShear, StressOfTheTableIsThatOfTheReport) {
   const double shear = stress.column("shear_stress_virial").back(), xy = stress.column("virial_01").back(),
                yx = stress.column("virial_10").back();
   EXPECT_NEAR(shear, -0.5 * (xy + yx), 1e-15);
+  const SystemNumbers& last = r.frames.back().numbers;
+  const double kinetic = last.at("stress_xy") - xy;
+  EXPECT_NEAR(stress.column("shear_stress_total").back(), shear - kinetic, 0.2 * std::abs(kinetic) + 1e-6);
   EXPECT_NEAR(xy, yx, 1e-12);  // torques balance
   const SystemNumbers& numbers = r.frames.back().numbers;
   // The frame's stress has a kinetic part.
   const double pressure = r.get("results", "pressure"), of_table = stress.column("pressure").back();
   EXPECT_NEAR(pressure, of_table, 0.1 * std::abs(of_table) + 2e-3);
   EXPECT_NEAR(numbers.at("contact_stress_xy"), numbers.at("contact_stress_yx"), 1e-2 * std::abs(pressure));
+}
+
+/// From rest to rest the work that the account knows, of forces across the boundary and of changes of the
+/// rate, is that of the stress: V int tau dgamma. The two share no number.
+TEST_P(BodyShear, WorkOfTheBoundaryIsThatOfTheStress) {
+  Case c = small_gel(GetParam());
+  c.shear.pre_periods = c.shear.post_periods = 0.1;
+  c.time.step_factor = 0.5;
+  const MemoryRecorder r = result_of(c);
+  const std::vector<double> stress = r.tables.at("stress").column("shear_stress_total"),
+                            strain = r.tables.at("stress").column("strain");
+  double work = 0;
+  for (std::size_t k = 1; k < strain.size(); ++k)
+    work += 0.5 * (stress[k] + stress[k - 1]) * (strain[k] - strain[k - 1]);
+  work *= r.last_system.box.volume() * r.get("constants", "pressure_unit");
+  const MemoryRecorder::Table& energy = r.tables.at("energy");
+  const double booked = energy.column("work_images").back() + energy.column("work_shear_rate").back();
+  EXPECT_GT(booked, 0);
+  EXPECT_NEAR(work, booked, 0.03 * booked);
+}
+
+TEST(BodyShear, WarnsWhereTheStressDoesNotTellTheLoss) {
+  Case c = small_gel();
+  c.particles.permanent_links = false;
+  c.material.friction = 0;
+  c.shear.amplitude = 0.2;
+  c.shear.relative_frequency = 0.2;  // inertia: particles slosh
+  const MemoryRecorder r = result_of(c);
+  EXPECT_THAT(r.warnings, ::testing::Contains(::testing::HasSubstr("dissipated")));
 }
 
 TEST(BodyShear, LinksAndContactsOfFramesBearTheForcesOfTheirSites) {
@@ -104,8 +136,9 @@ TEST(BodyShear, LinksAndContactsOfFramesBearTheForcesOfTheirSites) {
     links += row.state == ContactState::permanent;
     sticking += row.state == ContactState::stick;
     EXPECT_NEAR(norm(row.force), std::hypot(row.normal_force, row.tangential_force), 1e-12);
-    if (row.state == ContactState::stick)
+    if (row.state == ContactState::stick) {
       EXPECT_LE(std::abs(row.tangential_force), 0.3 * row.elastic * (1 + 1e-12));
+    }
   }
   EXPECT_EQ(links, r.get("results", "links"));
   EXPECT_GT(sticking, 0);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -35,6 +36,7 @@ class BodyStressTable {
         {"strain", "", "accumulated shear strain"},
         {"strain_rate", "", "shear rate"},
         {"shear_stress_virial", unit, "tau from the virial of shapes, contacts and links"},
+        {"shear_stress_total", unit, "the same with the kinetic part, of velocities relative to the flow"},
         {"pressure", unit, "(xx + yy)/2 of that virial"}};
     if (tensors)
       for (const char* component : {"_00", "_01", "_10", "_11"})
@@ -45,17 +47,32 @@ class BodyStressTable {
   void append(const Evaluation<2>& evaluation, double strain_rate) {
     const System<2>& s = packing_.system;
     const Mat2 stress = (1 / (s.box.volume() * packing_.pressure_unit)) * evaluation.virial;
-    std::vector<double> row{s.time, s.box.strain, strain_rate, shear_stress(stress), pressure(stress)};
+    const double kinetic = kinetic_moment(evaluation) / (s.box.volume() * packing_.pressure_unit);
+    std::vector<double> row{
+        s.time,          s.box.strain, strain_rate, shear_stress(stress), shear_stress(stress) - kinetic,
+        pressure(stress)};
     if (tensors_) row.insert(row.end(), {stress[0][0], stress[0][1], stress[1][0], stress[1][1]});
     recorder_.append("stress", row);
     time.push_back(s.time);
-    shear.push_back(row[3]);
-    pressures.push_back(row[4]);
+    virial.push_back(row[3]);
+    total.push_back(row[4]);
+    pressures.push_back(row[5]);
   }
 
-  std::vector<double> time, shear, pressures;
+  std::vector<double> time, virial, total, pressures;
 
  private:
+  /// sum m u_x u_y of this instant [energy]; the flow is that of the velocities, of half a step before.
+  double kinetic_moment(const Evaluation<2>& evaluation) const {
+    const System<2>& s = packing_.system;
+    double sum = 0;
+    for (int i = 0; i < s.state.size(); ++i) {
+      const Vec2 u = synchronised_velocity(s, evaluation, i) - s.box.flow_velocity(s.state.position[i]);
+      sum += s.state.mass[i] * u[flow] * u[gradient];
+    }
+    return sum;
+  }
+
   const Packing& packing_;
   bool tensors_;
   Recorder& recorder_;
@@ -128,6 +145,7 @@ class ShearedBodies {
         energies_(recorder, dynamics_, packing.system, reduced_units(), c, initial) {}
 
   const BodyStressTable& table() const { return table_; }
+  const std::vector<double>& lost() const { return energies_.lost(); }
 
   /// So many steps, each at rates(i), of which one frame in so many is kept. Hands over the last good state
   /// where it stops.
@@ -185,12 +203,41 @@ void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
                  static_cast<double>(packing.system.links.size()));
 }
 
-void record_moduli(const BodyStressTable& table, const OscillatoryProtocol& p, const Packing& packing,
-                   Recorder& recorder) {
-  const Demodulation d = record_modulus({"virial", "the virial of shapes, contacts and links",
-                                         packing.pressure_symbol, table.time, table.shear},
-                                        windows_of(p), DriftCorrection::right, recorder);
-  recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"}, d.cycles);
+/// G'' by what was lost: energy per measured cycle over pi A^2 and the area of the cell.
+double dissipated_modulus(const std::vector<double>& lost, const OscillatoryProtocol& p, int cycles,
+                          const Packing& packing) {
+  const auto end = static_cast<std::size_t>(p.pre_steps + p.shear_steps),
+             begin = end - static_cast<std::size_t>(cycles * p.steps_per_period);
+  return (lost[end] - lost[begin]) / (cycles * std::numbers::pi * p.amplitude * p.amplitude *
+                                      packing.system.box.volume() * packing.pressure_unit);
+}
+
+void record_moduli(const BodyStressTable& table, const std::vector<double>& lost,
+                   const OscillatoryProtocol& p, const Packing& packing, Recorder& recorder) {
+  const auto record = [&](const char* name, const std::vector<double>& stress, const char* meaning) {
+    const StressSeries series{name, meaning, packing.pressure_symbol, table.time, stress};
+    return Estimate{name, series.unit,
+                    record_modulus(series, windows_of(p), DriftCorrection::right, recorder)};
+  };
+  const Estimate total = record("total", table.total, "the virial with the kinetic part"),
+                 virial = record("virial", table.virial, "the virial of shapes, contacts and links");
+  recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"},
+                 total.found.cycles);
+  warn_if_apart(total, virial, "particles move against each other by inertia; lower shear.relative_frequency",
+                recorder);
+  warn_of_drift(total, recorder);
+  const double dissipated = dissipated_modulus(lost, p, total.found.cycles, packing);
+  recorder.value("results",
+                 {"dissipated_modulus", packing.pressure_symbol,
+                  "G'' from the energy lost in a cycle, which that of the stress is in a steady one"},
+                 dissipated);
+  Estimate by_losses = total;
+  by_losses.name = "dissipated";
+  by_losses.found.loss.value = dissipated;
+  warn_if_apart(total, by_losses,
+                "what the cycles take goes into motion and shapes; more shear.periods, or a lower "
+                "shear.relative_frequency",
+                recorder);
   recorder.value("results",
                  {"mean_pressure", packing.pressure_symbol, "mean of the pressure over the protocol"},
                  std::accumulate(table.pressures.begin(), table.pressures.end(), 0.0) /
@@ -229,7 +276,7 @@ void run_body_shear(const Case& c, const InitialState* initial, Recorder& record
   ShearedBodies bodies(c, initial, packing, recorder);
   bodies.move("oscillatory shear", p.steps(), p.time_step(), damping,
               std::max(c.output.images, c.output.frames), [&](std::int64_t i) { return p.rates(i); });
-  record_moduli(bodies.table(), p, packing, recorder);
+  record_moduli(bodies.table(), bodies.lost(), p, packing, recorder);
   bodies.finish();
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},
                  static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);

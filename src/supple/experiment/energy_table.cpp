@@ -78,6 +78,7 @@ void EnergyTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   const KineticEnergy kinetic = kinetic_energy(system, evaluation);
   const EnergyState e = energy_state(system, evaluation);
   const EnergyFlows flows = account_.flows(system, evaluation);
+  lost_.push_back(flows.lost());
   std::vector<double> row{kinetic.translation, kinetic.spin, e.elastic, e.tangential, e.wall};
   if (has_shapes_) row.push_back(e.terms);
   row.push_back(e.total());

@@ -25,6 +25,8 @@ class EnergyTable {
   double relative_residual(const System<2>& system, const Evaluation<2>& evaluation) const;
   /// One row; the first opens the account. The evaluation is the stepper's at this instant.
   void append(const System<2>& system, const Evaluation<2>& evaluation);
+  /// All that was lost up to each row [energy of the run].
+  const std::vector<double>& lost() const { return lost_; }
   /// Hands over what a continuation needs of the account.
   void finish();
 
@@ -34,6 +36,7 @@ class EnergyTable {
   bool has_shapes_;
   EnergyBalance account_;
   bool is_open_ = false;
+  std::vector<double> lost_;
 };
 
 /// Names in protocol_group of what an account needs to go on [J/m].

@@ -21,22 +21,19 @@ double mean(const std::vector<double>& x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
-struct Estimate {
-  std::string name;
-  Demodulation found;
-  double size() const { return std::hypot(found.storage.value, found.loss.value); }
-};
+double size(const Estimate& e) { return std::hypot(e.found.storage.value, e.found.loss.value); }
 
-/// G' and G'' each by itself: |G*| hides a loss that one estimator sees and the other does not.
+}  // namespace
+
 void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why, Recorder& recorder) {
   const auto compare = [&](const char* symbol, double x, double y) {
     const double difference = std::abs(x - y);
     if (difference <= apart * std::max(std::abs(x), std::abs(y)) ||
-        difference <= relevant * std::max(a.size(), b.size()))
+        difference <= relevant * std::max(size(a), size(b)))
       return;
     recorder.warning(
-        fmt::format("{} of the {} ({:.4g} Pa) and the {} stress ({:.4g} Pa) differ by more than {:.0f} %: {}",
-                    symbol, a.name, x, b.name, y, 100 * apart, why));
+        fmt::format("{} of the {} ({:.4g} {}) and the {} stress ({:.4g} {}) differ by more than {:.0f} %: {}",
+                    symbol, a.name, x, a.unit, b.name, y, b.unit, 100 * apart, why));
   };
   compare("G'", a.found.storage.value, b.found.storage.value);
   compare("G''", a.found.loss.value, b.found.loss.value);
@@ -44,17 +41,15 @@ void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why,
 
 void warn_of_drift(const Estimate& e, Recorder& recorder) {
   const auto tell = [&](const char* symbol, const Modulus& m) {
-    if (!m.drifts() || e.found.cycles * std::abs(m.change) < told_drift * e.size()) return;
-    recorder.warning(
-        fmt::format("{} ({} stress) {} by {:.2g} Pa per cycle over the {} cycles measured: the sample ages "
-                    "and is not in a steady cycle; more shear.periods show where it leads",
-                    symbol, e.name, m.change > 0 ? "rises" : "falls", std::abs(m.change), e.found.cycles));
+    if (!m.drifts() || e.found.cycles * std::abs(m.change) < told_drift * size(e)) return;
+    recorder.warning(fmt::format(
+        "{} ({} stress) {} by {:.2g} {} per cycle over the {} cycles measured: the sample ages "
+        "and is not in a steady cycle; more shear.periods show where it leads",
+        symbol, e.name, m.change > 0 ? "rises" : "falls", std::abs(m.change), e.unit, e.found.cycles));
   };
   tell("G'", e.found.storage);
   tell("G''", e.found.loss);
 }
-
-}  // namespace
 
 double Gap::wavelengths(double storage, double frequency) const {
   return std::sqrt(std::max(storage, 0.0) / density) / (frequency * height);
@@ -90,7 +85,8 @@ void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorr
   const auto record = [&](const std::string& name, const std::vector<double>& stress,
                           const std::string& meaning) {
     return Estimate{
-        name, record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, correction, recorder)};
+        name, "Pa",
+        record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, correction, recorder)};
   };
   const bool plated = !table.plates().empty();
   std::vector<Estimate> first;
@@ -119,11 +115,11 @@ void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorr
   warn_if_apart(internal, external,
                 "the frequency is too high for a uniform stress, or too few discs carry it", recorder);
   warn_of_drift(first.front(), recorder);
-  if (const double jumps = table.most_removed(); jumps > apart * protocol.amplitude * corrected.size())
+  if (const double jumps = table.most_removed(); jumps > apart * protocol.amplitude * size(corrected))
     recorder.warning(
         fmt::format("external_corrected: jumps of {:.4g} Pa were taken out of a stress of amplitude {:.4g} "
                     "Pa; its level is that of the first cut, take virial or plates",
-                    jumps, protocol.amplitude * corrected.size()));
+                    jumps, protocol.amplitude * size(corrected)));
   if (waves < short_wavelength)
     recorder.warning(
         fmt::format("shear waves are {:.2g} gaps long: near or above the resonance of the gap (1) the stress "

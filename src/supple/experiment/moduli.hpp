@@ -28,6 +28,17 @@ struct StressSeries {
 Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, DriftCorrection correction,
                             Recorder& recorder);
 
+/// What was found from one of several stresses of the same sample.
+struct Estimate {
+  std::string name, unit;
+  Demodulation found;
+};
+/// Warns where G' or G'' of the two differ by more than 30 %, each by itself: |G*| hides a loss that one of
+/// them sees and the other does not.
+void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why, Recorder& recorder);
+/// Warns where a modulus goes on changing from cycle to cycle.
+void warn_of_drift(const Estimate& e, Recorder& recorder);
+
 /// Values in the group "results": storage_modulus_X, loss_modulus_X, ... for X = plates (where there are
 /// plates), virial, periodic, and the published internal, external and external_corrected. Warns where
 /// estimators differ, where cycles drift, where the jump correction is large, and near the resonance of the

@@ -25,7 +25,7 @@ struct StressName {
   const char* legend;
 };
 /// Those that do not depend on where the cell is cut.
-constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"virial", "virial"}};
+constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}};
 constexpr StressName published_stresses[] = {{"internal", "internal (overall tensor)"},
                                              {"external", "external forces"}};
 
