@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "supple/draw/chart/chart.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -80,7 +81,11 @@ int run(const std::string& path, const std::string& out, int seeds) {
   fmt::print("| particles | A | G' [k_a a0] | G'' [k_a a0] | energy residual |\n|---|---|---|---|---|\n");
   ChartPanel storage{{"Strain amplitude", ""}, {"G\u2032", "k_a a0"}, {}},
       loss{{"Strain amplitude", ""}, {"G\u2033", "k_a a0"}, {}};
-  for (ChartPanel* panel : {&storage, &loss}) panel->x.spacing = panel->y.spacing = Spacing::logarithmic;
+  for (ChartPanel* panel : {&storage, &loss}) {
+    panel->x.spacing = Spacing::logarithmic;
+    panel->x.range = {0.8 * amplitudes[0], 1.25 * amplitudes[std::size(amplitudes) - 1]};
+    panel->y.range = {0, 0.1};
+  }
   for (const Condition& condition : conditions) {
     std::vector<Point> points;
     for (const double a : amplitudes) {
