@@ -41,10 +41,19 @@ bool is_passable(std::int32_t site, const Vec<Dim>& cells) {
   return true;
 }
 
+/// Asked at every step of every site, and hardly ever not so.
+template <int Dim>
+bool is_in_cell(const Box<Dim>& box, const Vec<Dim>& x) {
+  bool inside = true;
+  for (int d = 0; d < Dim; ++d) inside = inside && (!box.periodic[d] || (0 <= x[d] && x[d] < box.length[d]));
+  return inside;
+}
+
 /// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left
 /// more cells behind than `most_cells_passed`; numbers that are not finite stay.
 template <int Dim>
 void wrap_site(System<Dim>& system, std::int32_t i) {
+  if (is_in_cell(system.box, system.state.position[i])) return;
   const Vec<Dim> moved = system.box.wrap(system.state.position[i], system.state.velocity[i]);
   if (moved == Vec<Dim>{}) return;
   if (!is_passable(i, moved)) return;
