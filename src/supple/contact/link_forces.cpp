@@ -1,6 +1,7 @@
 #include "supple/contact/link_forces.hpp"
 
 #include "supple/contact/coincident.hpp"
+#include "supple/model/body_links.hpp"
 
 namespace supple {
 
@@ -8,12 +9,10 @@ namespace supple {
 void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& link, const Instant& at) const {
   const State<2>& state = system.state;
   const std::int32_t i = link.first, j = link.second;
-  const Vec2 cells{static_cast<double>(link.cells[0]), static_cast<double>(link.cells[1])};
   frame.clear();
   frame.sites = {{i, -1}, {j, +1}};
   frame.jump = system.box.velocity_jump(link.cells[gradient]);
-  frame.branch = system.box.separation(state.position[i], state.position[j], cells).r -
-                 at.back * frame.separation_velocity(state);
+  frame.branch = link_vector(system, link) - at.back * frame.separation_velocity(state);
   const double d = norm(frame.branch);
   frame.normal = d > 0 ? (1 / d) * frame.branch : arbitrary_direction<2>(i, j);
   const double share = state.radius[i] / (state.radius[i] + state.radius[j]);

@@ -85,7 +85,7 @@ Making sheared(Making making) {
 
 void refuse_rigid(const Packing& packing) {
   if (!packing.system.rigid.empty())
-    throw input_error("oscillatory_shear of rigid particles", "rigid polygons cross no sheared boundary yet",
+    throw input_error("shear of rigid particles", "rigid polygons cross no sheared boundary yet",
                       "choose another family, or discs (bodies.family = \"disc\")");
 }
 
@@ -170,6 +170,7 @@ class ShearedBodies {
         if (i % 256 == 0) recorder_.progress(phase, i, steps);
       }
     } catch (const Error&) {
+      energies_.finish();
       hand_over(packing_, recorder_);
       throw;
     }

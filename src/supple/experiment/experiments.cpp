@@ -45,8 +45,9 @@ const std::vector<Experiment>& experiments() {
                                 "material.keep_viscosity_coefficients_constant",
                                 "material.slip"};
   static const UsedKeys sheared =
-      with(with(minimised, rubbing), {"jamming.*", "shear.*", "-shear.rate", "time.step", "time.step_factor",
-                                      "output.*", "-output.relative_y_scale_force", "-output.text"});
+      with(with(minimised, rubbing),
+           {"jamming.*", "shear.*", "-shear.rate", "time.step", "time.step_factor", "output.*",
+            "-output.energies", "-output.relative_y_scale_force", "-output.text"});
   static const std::vector<Experiment> all{
       {"oscillatory_shear",
        "G' and G'' of a suspension of crosslinked particles under oscillatory shear; discs, or deformable "

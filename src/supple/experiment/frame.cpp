@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "supple/model/body_links.hpp"
 #include "supple/model/links.hpp"
 #include "supple/observe/contact_network.hpp"
 
@@ -111,8 +112,7 @@ void append_links(const System<2>& system, const Evaluation<2>& evaluation, std:
   for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
     const Link& link = system.links[k];
     const LinkForce& f = evaluation.link_force[k];
-    Vec2 n = system.state.position[link.second] - system.state.position[link.first];
-    system.box.lattice().subtract({1.0 * link.cells[0], 1.0 * link.cells[1]}, n);
+    Vec2 n = link_vector(system, link);
     if (const double d = norm(n); d > 0) n = (1 / d) * n;
     const double normal = f.elastic + f.viscous, u = evaluation.trial_link[k];
     rows.push_back({link.first, link.second, ContactState::permanent, u, u, normal, f.tangential, f.elastic,

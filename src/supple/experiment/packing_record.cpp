@@ -6,6 +6,7 @@
 
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/model/body_links.hpp"
 #include "supple/observe/rattlers.hpp"
 #include "supple/solve/body_dynamics.hpp"
 
@@ -98,7 +99,7 @@ std::vector<SiteContact> with_links(std::vector<SiteContact> contacts, const Sys
   for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
     const Link& link = system.links[k];
     const Vec2 shift = system.box.lattice().vector({1.0 * link.cells[0], 1.0 * link.cells[1]});
-    Vec2 n = system.state.position[link.second] - system.state.position[link.first] - shift;
+    Vec2 n = link_vector(system, link);
     if (const double d = norm(n); d > 0) n = (1 / d) * n;
     contacts.push_back({link.second, link.first, body[link.second], body[link.first],
                         (evaluation.link_force[k].elastic + evaluation.link_force[k].viscous) * n, shift});

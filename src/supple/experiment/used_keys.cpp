@@ -58,6 +58,11 @@ const std::vector<Need>& needs() {
        "material.keep_viscosity_coefficients_constant material.slip",
        value, [](const Case& c) { return !is(c, "dynamics") || !is_deformable(c) || shears_bodies(c); },
        "shear.rate: particles rub, and may be linked, where the cell is sheared"},
+      {"jamming.packing_fraction jamming.step jamming.pressure jamming.window jamming.search "
+       "jamming.pressure_kind minimise.method minimise.force_tolerance minimise.least_force "
+       "minimise.max_evaluations",
+       value, [](const Case& c) { return !is(c, "oscillatory_shear") || !starts_from_file(c); },
+       "particles made from [bodies]: those of a file are sheared as they are"},
       {"initial.keep_time", start, [](const Case&) { return false; }, "a file to start from"},
       {"contact.k_p contact.floor_friction", start, [](const Case& c) { return !is(c, "dynamics"); },
        "walls: dynamics has those of the file that it starts from"},

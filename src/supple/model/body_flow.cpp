@@ -33,27 +33,36 @@ void follow_body(System<2>& system, const std::vector<std::int32_t>& body, std::
 
 }  // namespace
 
+Vec2 centre_of_mass(const System<2>& system, int b) {
+  const State<2>& s = system.state;
+  const Vec2 origin =
+      s.position[system.topology.body_begin(b)];  // keeps the digits of bodies that are far away
+  Vec2 moment{};
+  double mass = 0;
+  for_sites(system, b, [&](int i) {
+    mass += s.mass[i];
+    moment += s.mass[i] * (s.position[i] - origin);
+  });
+  return origin + (1 / mass) * moment;
+}
+
 BodyMotion body_motion(const System<2>& system, int b) {
   const State<2>& s = system.state;
   const int first = system.topology.body_begin(b);
   if (is_one_site(system, b))
     return {s.position[first], s.velocity[first], s.mass[first], s.inertia[first], s.spin[first]};
   BodyMotion motion;
-  const Vec2 origin = s.position[first];  // keeps the digits of bodies that are far away
-  Vec2 moment{}, momentum{};
-  for_sites(system, b, [&](int i) {
-    motion.mass += s.mass[i];
-    moment += s.mass[i] * (s.position[i] - origin);
-    momentum += s.mass[i] * s.velocity[i];
-  });
-  motion.centre = origin + (1 / motion.mass) * moment;
-  motion.velocity = (1 / motion.mass) * momentum;
+  motion.centre = centre_of_mass(system, b);
+  Vec2 momentum{};
   double angular = 0;
   for_sites(system, b, [&](int i) {
     const Vec2 arm = s.position[i] - motion.centre;
+    motion.mass += s.mass[i];
     motion.inertia += s.mass[i] * dot(arm, arm);
-    angular += s.mass[i] * cross(arm, s.velocity[i] - motion.velocity);
+    momentum += s.mass[i] * s.velocity[i];
+    angular += s.mass[i] * cross(arm, s.velocity[i]);  // about the centre: its own velocity adds nothing
   });
+  motion.velocity = (1 / motion.mass) * momentum;
   motion.spin = motion.inertia > 0 ? angular / motion.inertia : 0;
   return motion;
 }
@@ -69,7 +78,7 @@ void change_flow(const System<2>& system, double change, std::vector<Vec2>& velo
       spin[i] -= 0.5 * change;
       continue;
     }
-    const Vec2 centre = body_motion(system, b).centre;
+    const Vec2 centre = centre_of_mass(system, b);
     Vec2 of_centre{};
     of_centre[flow] = (centre[gradient] - middle) * change;
     for_sites(system, b,
@@ -113,7 +122,7 @@ bool wrap_bodies(System<2>& system) {
   bool moved = false;
   std::vector<std::int32_t> body;
   for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
-    Vec2 centre = body_motion(system, b).centre, velocity{};
+    Vec2 centre = centre_of_mass(system, b), velocity{};
     const Vec2 n = system.box.wrap(centre, velocity);
     if (n == Vec2{} || !is_passable(system.topology.body_begin(b), n)) continue;
     const Vec2 back = system.box.lattice().vector(n);

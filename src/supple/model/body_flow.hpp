@@ -13,6 +13,9 @@ struct BodyMotion {
 };
 BodyMotion body_motion(const System<2>& system, int body);
 
+/// Its centre alone.
+Vec2 centre_of_mass(const System<2>& system, int body);
+
 /// What a change of the shear rate does to velocities and spins: each body takes the flow velocity of its
 /// centre, v_x += (y - Ly/2) change, and the vorticity of the flow, w -= change/2, as a rigid rotation; its
 /// shape is left to the forces.
@@ -27,7 +30,8 @@ void set_strain_rate(System<2>& system, double rate);
 void damp_bodies(System<2>& system, double factor);
 
 /// Brings each body into the cell of its centre, with all its sites, their velocities, and the images of its
-/// contacts and links. Returns whether any body of more than one site moved. Numerics error as of wrap_site.
+/// contacts and links. Returns whether any moved, of a system
+/// that has bodies: its rows are about other images then. Numerics error as of wrap_site.
 bool wrap_bodies(System<2>& system);
 
 }  // namespace supple

@@ -55,12 +55,17 @@ CrosslinkReport link_bodies(System<2>& system, std::vector<TouchingSites> touchi
   for (const TouchingSites& t : touching) {
     const auto [a, b] = bodies_of(t, body);
     if (discs.pairs.state[discs.pairs.find(a, b)] != ContactState::permanent) continue;
-    Vec2 r = system.state.position[t.second] - system.state.position[t.first];
-    system.box.lattice().subtract({1.0 * t.cells[0], 1.0 * t.cells[1]}, r);
-    system.links.push_back({t.first, t.second, t.cells, norm(r), 0});
+    Link& link = system.links.emplace_back(Link{t.first, t.second, t.cells});
+    link.rest = norm(link_vector(system, link));
   }
   report.links = static_cast<int>(system.links.size());
   return report;
+}
+
+Vec2 link_vector(const System<2>& system, const Link& link) {
+  Vec2 r = system.state.position[link.second] - system.state.position[link.first];
+  system.box.lattice().subtract({1.0 * link.cells[0], 1.0 * link.cells[1]}, r);
+  return r;
 }
 
 std::vector<std::int32_t> linked_clusters(const System<2>& system) {

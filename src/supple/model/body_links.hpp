@@ -19,6 +19,9 @@ struct TouchingSites {
 CrosslinkReport link_bodies(System<2>& system, std::vector<TouchingSites> touching, const CrosslinkSpec& spec,
                             std::uint64_t seed);
 
+/// From the first site of a link to the image of the second that it keeps.
+Vec2 link_vector(const System<2>& system, const Link& link);
+
 /// Clusters that links hold together: of each body, numbered from 0 in the order of their first bodies.
 std::vector<std::int32_t> linked_clusters(const System<2>& system);
 

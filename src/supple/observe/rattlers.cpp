@@ -4,6 +4,7 @@
 
 #include "supple/geometry/nearest_in_hull.hpp"
 #include "supple/model/bodies.hpp"
+#include "supple/model/body_links.hpp"
 
 namespace supple {
 
@@ -86,8 +87,7 @@ std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vect
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   for (const Link& link : system.links) {  // holds both ways
     const Vec2 &from = system.state.position[link.first], &to = system.state.position[link.second];
-    Vec2 r = to - from;
-    system.box.lattice().subtract({1.0 * link.cells[0], 1.0 * link.cells[1]}, r);
+    const Vec2 r = link_vector(system, link);
     for (const double sign : {1.0, -1.0}) {
       pushes.add(body[link.second], body[link.first], sign * r, to);
       pushes.add(body[link.first], body[link.second], -sign * r, from);
