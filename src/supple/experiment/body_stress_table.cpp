@@ -8,44 +8,44 @@
 namespace supple {
 
 BodyStressTable::BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder)
-      : packing_(packing), tensors_(tensors), recorder_(recorder) {
-    const std::string& unit = packing.pressure_symbol;
-    std::vector<Column> columns{
-        {"t", "", "time since the start of the protocol"},
-        {"strain", "", "accumulated shear strain"},
-        {"strain_rate", "", "shear rate"},
-        {"shear_stress_virial", unit, "tau from the virial of shapes, contacts and links"},
-        {"shear_stress_total", unit, "the same with the kinetic part, of velocities relative to the flow"},
-        {"pressure", unit, "(xx + yy)/2 of that virial"}};
-    if (tensors)
-      for (const char* component : {"_00", "_01", "_10", "_11"})
-        columns.push_back({std::string("virial") + component, unit, "component of the virial stress"});
-    recorder.declare("stress", columns);
-  }
+    : packing_(packing), tensors_(tensors), recorder_(recorder) {
+  const std::string& unit = packing.pressure_symbol;
+  std::vector<Column> columns{
+      {"t", "", "time since the start of the protocol"},
+      {"strain", "", "accumulated shear strain"},
+      {"strain_rate", "", "shear rate"},
+      {"shear_stress_virial", unit, "tau from the virial of shapes, contacts and links"},
+      {"shear_stress_total", unit, "the same with the kinetic part, of velocities relative to the flow"},
+      {"pressure", unit, "(xx + yy)/2 of that virial"}};
+  if (tensors)
+    for (const char* component : {"_00", "_01", "_10", "_11"})
+      columns.push_back({std::string("virial") + component, unit, "component of the virial stress"});
+  recorder.declare("stress", columns);
+}
 
 void BodyStressTable::append(const Evaluation<2>& evaluation, double strain_rate) {
-    const System<2>& s = packing_.system;
-    const Mat2 stress = (1 / (s.box.volume() * packing_.pressure_unit)) * evaluation.virial;
-    const double kinetic = kinetic_moment(evaluation) / (s.box.volume() * packing_.pressure_unit);
-    std::vector<double> row{
-        s.time,          s.box.strain, strain_rate, shear_stress(stress), shear_stress(stress) - kinetic,
-        pressure(stress)};
-    if (tensors_) row.insert(row.end(), {stress[0][0], stress[0][1], stress[1][0], stress[1][1]});
-    recorder_.append("stress", row);
-    time.push_back(s.time);
-    virial.push_back(row[3]);
-    total.push_back(row[4]);
-    pressures.push_back(row[5]);
-  }
+  const System<2>& s = packing_.system;
+  const Mat2 stress = (1 / (s.box.volume() * packing_.pressure_unit)) * evaluation.virial;
+  const double kinetic = kinetic_moment(evaluation) / (s.box.volume() * packing_.pressure_unit);
+  std::vector<double> row{
+      s.time,          s.box.strain, strain_rate, shear_stress(stress), shear_stress(stress) - kinetic,
+      pressure(stress)};
+  if (tensors_) row.insert(row.end(), {stress[0][0], stress[0][1], stress[1][0], stress[1][1]});
+  recorder_.append("stress", row);
+  time.push_back(s.time);
+  virial.push_back(row[3]);
+  total.push_back(row[4]);
+  pressures.push_back(row[5]);
+}
 
 double BodyStressTable::kinetic_moment(const Evaluation<2>& evaluation) const {
-    const System<2>& s = packing_.system;
-    double sum = 0;
-    for (int i = 0; i < s.state.size(); ++i) {
-      const Vec2 u = synchronised_velocity(s, evaluation, i) - s.box.flow_velocity(s.state.position[i]);
-      sum += s.state.mass[i] * u[flow] * u[gradient];
-    }
-    return sum;
+  const System<2>& s = packing_.system;
+  double sum = 0;
+  for (int i = 0; i < s.state.size(); ++i) {
+    const Vec2 u = synchronised_velocity(s, evaluation, i) - s.box.flow_velocity(s.state.position[i]);
+    sum += s.state.mass[i] * u[flow] * u[gradient];
   }
+  return sum;
+}
 
 }  // namespace supple

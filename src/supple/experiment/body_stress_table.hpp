@@ -6,8 +6,8 @@
 
 namespace supple {
 
-/// A row per step: of all shapes, contacts and links, compression positive, in pressure units; with `tensors` every
-/// component of the virial. Keeps the series that demodulation needs.
+/// A row per step: of all shapes, contacts and links, compression positive, in pressure units; with `tensors`
+/// every component of the virial. Keeps the series that demodulation needs.
 class BodyStressTable {
  public:
   BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder);
