@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "supple/core/meant_number.hpp"
 #include "supple/core/nearest_name.hpp"
@@ -65,6 +66,20 @@ Error unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
       near ? fmt::format("did you mean {}?", *near) : "its options are " + join_names(names, ""));
 }
 
+/// Whether a message of CLI11, "--output: 1 required", "Could not convert: --force = no", is about this
+/// option.
+bool names_option(const std::string& what, const CLI::Option& o) {
+  std::vector<std::string> words;
+  std::istringstream in(what);
+  for (std::string word; in >> word;) words.push_back(word.substr(0, word.find_last_not_of(':') + 1));
+  const auto among_words = [&](const std::string& name) {
+    return std::find(words.begin(), words.end(), name) != words.end();
+  };
+  return among_words(o.get_name()) ||
+         std::any_of(o.get_lnames().begin(), o.get_lnames().end(),
+                     [&](const std::string& name) { return among_words("--" + name); });
+}
+
 }  // namespace
 
 std::optional<std::string> help_asked_for(const CLI::App& app, const std::vector<std::string>& words) {
@@ -92,11 +107,16 @@ Error explain(const CLI::App& app, const CLI::ParseError& e) {
     return &app == &command ? input_error("supple needs a command", "", "see supple --help")
                             : input_error(fmt::format("{} needs a {}", name, taken), "",
                                           fmt::format("write {} {}", name, taken));
-  const std::string option = what.substr(0, what.find(':'));
-  for (const CLI::Option* o : command.get_options())
-    if (o->get_name() == option || "--" + (o->get_lnames().empty() ? "" : o->get_lnames().front()) == option)
-      return input_error(fmt::format("{} needs a value", option), "",
-                         fmt::format("write {} {}", option, o->get_type_name()));
+  for (const CLI::Option* o : command.get_options()) {
+    if (!names_option(what, *o)) continue;
+    const std::string option = o->get_lnames().empty() ? o->get_name() : "--" + o->get_lnames().front();
+    if (o->get_expected_max() == 0)
+      return input_error(fmt::format("{} takes no value", option), "", "leave it away");
+    if (o->results().size() > 1)
+      return input_error(fmt::format("{} stands more than once", option), "", "keep one of them");
+    return input_error(fmt::format("{} needs a value", option), "",
+                       fmt::format("write {} {}", option, o->get_type_name()));
+  }
   return input_error("the options cannot be read", what.substr(0, what.find('\n')),
                      fmt::format("see {} --help", name));
 }

@@ -46,6 +46,13 @@ TEST_F(CommandLine, WordsThatAreMissingOrTooMany) {
   expect_answer("--json", "supple has no option --json; its options are -h, --help, --version");
 }
 
+TEST_F(CommandLine, OptionsThatStandTwiceOrTakeNoValue) {
+  expect_answer("show r.h5 -o a -o b", "--output stands more than once; keep one of them");
+  expect_answer("export r.h5 --to csv --to xyz", "--to stands more than once; keep one of them");
+  expect_answer("run e.toml -o", "--output needs a value; write --output FILE");
+  expect_answer("show r.h5 --force=maybe", "--force takes no value; leave it away");
+}
+
 TEST_F(CommandLine, NumbersAreDecimalDigits) {
   write("e.toml", "");
   expect_answer("check e.toml --threads 010", "--threads 010: not a whole number; write --threads 10");

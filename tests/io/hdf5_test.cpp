@@ -75,16 +75,40 @@ TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {
   write_content(in_folder("text.h5"), "this is a text, long enough to be looked at as a file of some kind");
   EXPECT_THAT(file_error_of([&] { open_file(in_folder("text.h5")); }), HasSubstr("is not an HDF5 file"));
 
+  write_content(in_folder("empty.h5"), "");
+  EXPECT_THAT(file_error_of([&] { open_file(in_folder("empty.h5")); }),
+              HasSubstr("empty.h5 is empty (it was copied in part"));
+}
+
+/// The reasons stand in our words; those of HDF5 at most in brackets at the end.
+TEST_F(Hdf5, AFileThatIsCutOffIsSaidToBe) {
   Group made = create_file("whole.h5");
   made.write("x", std::vector<double>(10000, 1.5));
   save(made, in_folder("whole.h5"));
   const std::string whole = content_of(in_folder("whole.h5"));
-  write_content(in_folder("cut.h5"), whole.substr(0, whole.size() / 2));
-  ::testing::internal::CaptureStderr();
-  const std::string message = file_error_of([&] { open_file(in_folder("cut.h5")); });
-  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "HDF5 must not print";
-  EXPECT_THAT(message, HasSubstr("cut.h5"));
-  EXPECT_THAT(message, HasSubstr("truncated"));
+  for (std::size_t bytes = 100; bytes < whole.size(); bytes += whole.size() / 20) {
+    write_content(in_folder("cut.h5"), whole.substr(0, bytes));
+    ::testing::internal::CaptureStderr();
+    const std::string message = file_error_of([&] { open_file(in_folder("cut.h5")); });
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "HDF5 must not print";
+    EXPECT_THAT(message,
+                ::testing::StartsWith("cannot read " + in_folder("cut.h5") +
+                                      " (the file ends before its own data: " + std::to_string(bytes) +
+                                      " of its " + std::to_string(whole.size()) + " bytes are there); "));
+    EXPECT_THAT(message, HasSubstr("copy it anew from where it was written [HDF5: truncated file"));
+  }
+}
+
+TEST_F(Hdf5, WhatAFileLacksIsSaidToBeMissing) {
+  Group root = create_file("a.h5");
+  EXPECT_THAT(file_error_of([&] { root.read<double>("speed"); }),
+              HasSubstr("cannot open speed in a.h5 (the file has no such thing); the file is damaged, or of "
+                        "another version of Supple [HDF5: "));
+  EXPECT_THAT(file_error_of([&] { root.open_group("frames"); }), HasSubstr("(the file has no such thing)"));
+  EXPECT_THAT(file_error_of([&] { root.text("format"); }), HasSubstr("(the file has no such thing)"));
+  EXPECT_FALSE(root.has("frames"));
+  EXPECT_FALSE(root.has("frames/step"));
+  EXPECT_FALSE(root.has_attribute("format"));
 }
 
 TEST_F(Hdf5, ErrorsNameFileAndObject) {

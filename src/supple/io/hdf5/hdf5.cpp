@@ -1,6 +1,7 @@
 #include "supple/io/hdf5/hdf5.hpp"
 
 #include <cstring>
+#include <filesystem>
 
 #include "supple/core/path_kind.hpp"
 #include "supple/io/hdf5/hdf5_calls.hpp"
@@ -26,17 +27,17 @@ H5_index_t order_of(hid_t group) {
              : H5_INDEX_NAME;
 }
 
-}  // namespace
-
-std::string reason() {
-  std::string text = "HDF5 gives no reason";
-  const auto keep_first = [](unsigned n, const H5E_error2_t* error, void* out) -> herr_t {
-    if (n == 0 && error->desc) *static_cast<std::string*>(out) = error->desc;
-    return 0;
+std::string name_of_member(hid_t group, H5_index_t order, hsize_t k, const std::string& where) {
+  const auto get = [&](char* to, std::size_t size) {
+    return checked(H5Lget_name_by_idx(group, ".", order, H5_ITER_INC, k, to, size, H5P_DEFAULT), "list",
+                   where);
   };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &text);
-  return text;
+  std::string name(static_cast<std::size_t>(get(nullptr, 0)), '\0');
+  get(name.data(), name.size() + 1);
+  return name;
 }
+
+}  // namespace
 
 Object::~Object() {
   if (id_ >= 0) H5Idec_ref(id_);
@@ -49,7 +50,9 @@ std::string Object::where() const {
   return std::string(file) + (std::strcmp(name, "/") == 0 ? "" : std::string(":") + name);
 }
 
-bool Object::has_attribute(const std::string& name) const { return H5Aexists(id_, name.c_str()) > 0; }
+bool Object::has_attribute(const std::string& name) const {
+  return checked(H5Aexists(id_, name.c_str()), "look for attribute " + name + " of", where()) > 0;
+}
 void Object::set(const std::string& name, double value) {
   set_attribute<double>(id_, name, {&value, 1}, {}, where());
 }
@@ -75,7 +78,14 @@ std::vector<std::string> Object::texts(const std::string& name) const {
   return get_attribute<std::string>(id_, name, where());
 }
 
-bool Group::has(const std::string& name) const { return H5Lexists(id(), name.c_str(), H5P_DEFAULT) > 0; }
+bool Group::has(const std::string& name) const {
+  for (auto end = name.find('/');; end = name.find('/', end + 1)) {
+    const std::string path = name.substr(0, end);
+    if (checked(H5Lexists(id(), path.c_str(), H5P_DEFAULT), "look for " + path + " in", where()) == 0)
+      return false;
+    if (end == name.npos) return true;
+  }
+}
 
 bool Group::is_group(const std::string& name) const {
   const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where()));
@@ -83,12 +93,12 @@ bool Group::is_group(const std::string& name) const {
 }
 
 std::vector<std::string> Group::names() const {
+  // One by one: H5Literate 1.10.8 gathers the members first and frees what it never set where one of a large
+  // group cannot be read.
+  H5G_info_t info{};
+  checked(H5Gget_info(id(), &info), "list", where());
   std::vector<std::string> out;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
-  };
-  checked(H5Literate(id(), order_of(id()), H5_ITER_INC, nullptr, add, &out), "list", where());
+  for (hsize_t k = 0; k < info.nlinks; ++k) out.push_back(name_of_member(id(), order_of(id()), k, where()));
   return out;
 }
 
@@ -142,6 +152,9 @@ void save(Group& root, const std::string& path, Existing existing) {
 
 Group open_file(const std::string& path) {
   check_can_read(path, "the run");
+  if (std::filesystem::file_size(path) == 0 && !path.ends_with(".toml"))
+    throw file_error(path + " is empty", "it was copied in part, or the disk was full",
+                     "copy it anew from where it was written");
   const htri_t is_hdf5 = H5Fis_hdf5(path.c_str());
   if (is_hdf5 == 0)
     throw file_error(path + " is not an HDF5 file", "runs are",

@@ -15,13 +15,14 @@ namespace supple::h5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// The most specific message of HDF5's error stack.
-std::string reason();
+/// The file error after a call that failed: "cannot <action> <where>", why, what to do, and at the end the
+/// most specific words of HDF5 itself in brackets.
+Error fault(const std::string& action, const std::string& where);
 
-/// Passes a good result through; a negative one becomes an error: "cannot <action> <where>".
+/// Passes a good result through; a negative one becomes an error.
 template <class Result>
 Result checked(Result result, const std::string& action, const std::string& where) {
-  if (result < 0) throw file_error("cannot " + action + " " + where, reason());
+  if (result < 0) throw fault(action, where);
   return result;
 }
 

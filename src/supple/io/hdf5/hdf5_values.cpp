@@ -106,7 +106,10 @@ void copy_all_attributes(hid_t from, hid_t to, const std::string& where) {
                                  H5P_DEFAULT));
     return made.id() < 0 ? -1 : H5Awrite(made.id(), type.id(), bytes.data());
   };
-  checked(H5Aiterate2(from, H5_INDEX_NAME, H5_ITER_INC, nullptr, copy, &to), "copy the attributes of", where);
+  // In the order of the file: for any other HDF5 gathers them first, which it does not survive where one of
+  // many cannot be read.
+  checked(H5Aiterate2(from, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, copy, &to), "copy the attributes of",
+          where);
 }
 
 }  // namespace supple::h5

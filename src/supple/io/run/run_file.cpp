@@ -51,12 +51,22 @@ RunFile::RunFile(const std::string& path) : path_(path) {
 
   for (const std::string& file : paths) {
     segments_.push_back({file, 0, 0});
-    const h5::Group& root = segment(segments_.size() - 1);
+    const h5::Group& root = first_look(segments_.size() - 1);
     if (segments_.size() == 1 && !(root.has_attribute("format") && root.text("format") == run_format))
       throw file_error(path + " is not a run of Supple", "it is HDF5 of another kind, or of another version");
     if (!root.has("frames")) continue;
     segments_.back().frames = length_of(root, "frames/step");
     segments_.back().contacts = length_of(root, "frames/contact_first");
+  }
+}
+
+const h5::Group& RunFile::first_look(std::size_t index) const {
+  try {
+    return segment(index);
+  } catch (const Error& e) {
+    if (!partial_ || index == 0) throw;
+    throw Error(e.kind(), e.what(), "",
+                "what is before it can be read once it and the later segments are moved out of " + path_);
   }
 }
 

@@ -63,6 +63,8 @@ class RunFile {
     std::int64_t frames, contacts;  ///< rows in it
   };
   const h5::Group& segment(std::size_t index) const;
+  /// The same; of a segment that cannot be opened it says how to read those before it.
+  const h5::Group& first_look(std::size_t index) const;
   std::size_t segments() const { return segments_.size(); }
 
   std::string path_;
