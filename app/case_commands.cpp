@@ -1,5 +1,6 @@
 /// init, check, list.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -28,45 +29,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Keys that a first case of the experiment shows set, because everybody changes them.
-std::set<std::string> first_keys(const Case& c) {
-  const std::string& experiment = c.general.experiment;
-  if (experiment == "oscillatory_shear" && is_deformable(c))
-    return {"experiment",
-            "physics",
-            "seed",
-            "bodies.family",
-            "bodies.N",
-            "bodies.vertices",
-            "jamming.pressure",
-            "particles.cut_lines",
-            "material.friction",
-            "shear.amplitude"};
-  if (experiment == "dynamics" && is_deformable(c))
-    return {"experiment",
-            "physics",
-            "seed",
-            "bodies.family",
-            "bodies.N",
-            "jamming.packing_fraction",
-            "motion.kinetic_energy",
-            "time.steps"};
-  if (experiment == "dynamics") return {"experiment", "seed", "particles.N", "time.steps", "shear.rate"};
-  if (experiment == "jamming")
-    return {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices", "jamming.pressure"};
-  if (experiment == "compression")
-    return {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"};
-  if (experiment == "uniaxial_compression")
-    return {
-        "experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain", "uniaxial.packing_fraction"};
-  if (experiment == "slump")
-    return {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction", "slump.gravity"};
-  return {"experiment",          "seed",
-          "particles.N",         "particles.packing_fraction",
-          "particles.cut_lines", "material.young_modulus",
-          "material.friction",   "shear.amplitude"};
-}
-
 /// As a shell takes it for one word.
 std::string as_word(const std::string& name) {
   const auto plain = [](unsigned char c) {
@@ -84,18 +46,8 @@ std::optional<double> find(const std::vector<Derived>& derived, const std::strin
   return std::nullopt;
 }
 
-int site_count(const Case& c, const std::optional<InitialState>& initial,
-               const std::vector<Derived>& derived) {
-  if (initial) return initial->system.state.size();
-  return is_deformable(c) ? static_cast<int>(find(derived, "sites").value_or(0)) : c.particles.discs;
-}
-
-std::string describe_matter(const Case& c, const std::optional<InitialState>& initial,
-                            const std::vector<Derived>& derived) {
-  const int sites = site_count(c, initial, derived);
-  if (!is_deformable(c)) return fmt::format("{} discs, {} model", sites, c.general.physics);
-  const int bodies = initial ? initial->system.topology.body_count(sites) : c.bodies.count + c.bodies.discs;
-  return fmt::format("{} particles{}", bodies, initial ? " of a file" : " (" + c.bodies.family + ")");
+double site_count(const Case& c, const std::optional<InitialState>& initial) {
+  return static_cast<double>(initial ? initial->system.state.size() : experiment_of(c).matter->sites(c));
 }
 
 template <class P>
@@ -133,34 +85,44 @@ std::string section_text(const std::string& section) {
   return text.substr(begin, end == text.npos ? end : end - begin);
 }
 
-std::vector<std::string> experiment_names() {
-  std::vector<std::string> names;
-  for (const Experiment& e : experiments()) names.push_back(e.name);
-  return names;
+/// The rows of this name: the experiment on each kind of particles.
+std::vector<Experiment> experiments_of(const std::string& name) {
+  std::vector<Experiment> rows;
+  for (const Experiment& e : experiments())
+    if (e.name == name) rows.push_back(e);
+  return rows;
 }
 
-/// The keys that an experiment uses; of both kinds of matter where it is about both.
-void list_used(const std::string& experiment, Format format) {
+std::string meaning_of(const std::string& name) {
+  std::vector<std::string> meanings;
+  for (const Experiment& e : experiments_of(name)) meanings.push_back(e.meaning);
+  return fmt::format("{}", fmt::join(meanings, "; "));
+}
+
+/// A case of the experiment in which everything else has its default.
+Case case_of(const Experiment& e) {
   Case c;
-  c.general.experiment = experiment;
+  c.general.experiment = e.name;
+  c.general.physics = e.matter->physics.front();
   resolve_family(c);
-  std::vector<Case> kinds{c};
-  c.general.physics = "deformable";
-  const Experiment& e = experiment_of(c);
-  if (!e.discs.empty() && !e.bodies.empty()) kinds.push_back(c);
-  Json j{{"experiment", experiment}, {"meaning", e.meaning}, {"keys", Json::array()}};
-  for_each_key(c, [&](const std::string& key, const auto&, const auto&) {
-    if (std::any_of(kinds.begin(), kinds.end(), [&](const Case& kind) { return uses(kind, key); }))
+  e.complete(c);
+  return c;
+}
+
+/// The keys that an experiment uses, on each kind of particles.
+void list_used(const std::string& name, Format format) {
+  const std::vector<Experiment> rows = experiments_of(name);
+  Json j{{"experiment", name}, {"meaning", meaning_of(name)}, {"keys", Json::array()}};
+  const Case defaults;
+  for_each_key(defaults, [&](const std::string& key, const auto&, const auto&) {
+    if (std::any_of(rows.begin(), rows.end(), [&](const Experiment& e) { return uses(case_of(e), key); }))
       j["keys"].push_back(key);
   });
   if (format == Format::json) return fmt::print("{}\n", j.dump(2));
-  for (const Case& kind : kinds) {
-    fmt::print("{}{}: {}\n\n", experiment,
-               kinds.size() == 1     ? ""
-               : is_deformable(kind) ? " of deformable particles"
-                                     : " of discs",
-               e.meaning);
-    fmt::print("{}{}", write_case(kind, CaseStyle::commented), &kind == &kinds.back() ? "" : "\n");
+  for (const Experiment& e : rows) {
+    const std::string of = rows.size() > 1 ? fmt::format(" of {}", e.matter->name) : "";
+    fmt::print("{}{}: {}\n\n", name, of, e.meaning);
+    fmt::print("{}{}", write_case(case_of(e), CaseStyle::commented), &e == &rows.back() ? "" : "\n");
   }
 }
 
@@ -206,22 +168,18 @@ void init(const std::string& experiment, const std::string& physics, const std::
   }
   Case c;
   c.general.experiment = experiment;
-  if (!physics.empty()) c.general.physics = physics;
-  const bool bodies = physics == "deformable";
-  if (const Experiment& e = experiment_of(c); !physics.empty() && (bodies ? e.bodies : e.discs).empty())
-    throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics),
-                      bodies ? "it is about discs of microgels" : "it is about deformable particles",
-                      "leave --physics away");
-  resolve_family(c);
-  if (experiment == "oscillatory_shear" && is_deformable(c)) c.jamming.pressure = 1e-2;
-  if (experiment == "dynamics") c.time.steps = 1000;
-  if (experiment == "dynamics" && is_deformable(c)) {
-    c.jamming.packing_fraction = 0.6;
-    c.motion.kinetic_energy = 1e-5;
-  } else if (experiment == "dynamics") {
-    c.shear.rate = "10*cos(2*pi*50*t)";
+  if (!physics.empty()) {
+    c.general.physics = physics;
+    c.given.insert("physics");
   }
-  c.given = first_keys(c);
+  const Experiment& e = experiment_of(c);
+  if (const Matter* asked = asked_matter(c); asked && asked != e.matter)
+    throw input_error(fmt::format("experiment '{}' with physics '{}'", experiment, physics),
+                      fmt::format("it is about {}", e.matter->name), "leave --physics away");
+  resolve_family(c);
+  e.complete(c);
+  e.set_first(c);
+  c.given = e.first_keys;
   const std::string text = write_case(c, CaseStyle::commented);
   if (path == "-") {
     fmt::print("{}", text);
@@ -242,7 +200,7 @@ void check(const CaseChoice& choice, Format format) {
   const auto evaluations = find(derived, "evaluations");
   const double estimate =
       (steps.value_or(0) * seconds_per_disc_step + evaluations.value_or(0) * seconds_per_site_evaluation) *
-      site_count(c, initial, derived) / c.general.threads;
+      site_count(c, initial) / c.general.threads;
   if (estimate > 30 * 86400.0)
     doubts.push_back(fmt::format("the run would take about {}: lower the number of particles or steps",
                                  describe_seconds(estimate)));
@@ -257,7 +215,7 @@ void check(const CaseChoice& choice, Format format) {
     return;
   }
   fmt::print("{}: sound\n{} of {}, seed {}\n\n", choice.path, c.general.experiment,
-             describe_matter(c, initial, derived), c.general.seed);
+             experiment_of(c).matter->describe(c, initial ? &*initial : nullptr), c.general.seed);
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> meanings;
   const auto add = [&](const std::string& name, const std::string& value, const std::string& unit,
@@ -290,14 +248,14 @@ void list(const std::string& what, Format format) {
   }
   Json all{{"parameters", sections}};
   if (what.empty())
-    for (const Experiment& e : experiments()) all["experiments"][e.name] = e.meaning;
+    for (const std::string& name : names) all["experiments"][name] = meaning_of(name);
   if (format == Format::json) {
     fmt::print("{}\n", all.dump(2));
     return;
   }
   if (what.empty()) {
     fmt::print("Experiments\n");
-    for (const Experiment& e : experiments()) fmt::print("{}", table_row({e.name}, {20}, e.meaning));
+    for (const std::string& name : names) fmt::print("{}", table_row({name}, {20}, meaning_of(name)));
     fmt::print("\nParameters, as in a case\n\n");
   }
   fmt::print("{}", section_text(what));

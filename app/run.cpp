@@ -14,7 +14,6 @@
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
-#include "supple/io/run/body_pictures.hpp"
 #include "supple/io/run/file_recorder.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "supple/io/run/run_layout.hpp"
@@ -69,11 +68,7 @@ std::string run_path(const Case& c, const std::string& case_path, const std::str
 
 std::string images_folder(const std::string& run) { return beside(run, "_images"); }
 
-/// Deformable particles that take no steps are looked at, discs are brought to rest: no course to draw.
-bool draws_plot(const Case& c) {
-  const bool still = is_deformable(c) && c.general.experiment == "dynamics" && c.time.steps == 0;
-  return c.output.plot && !still && c.general.experiment != "preparation";
-}
+bool draws_plot(const Case& c) { return c.output.plot && experiment_of(c).figure(c) != Figure::none; }
 
 /// Everything that the run will write must be writable before anything is computed.
 void check_outputs(const Case& c, const std::string& case_path, const std::string& run, Existing existing) {
@@ -118,8 +113,7 @@ void draw_images_of(const Case& c, const std::string& run, Existing existing, Co
   const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
   if (existing == Existing::replace) remove_numbered_files(images_folder(run), "image");
   fs::create_directories(images_folder(run));
-  if (is_deformable(c)) draw_body_images(images_folder(run), format, RunFile(run), count, "", progress);
-  else draw_run_images(images_folder(run), format, RunFile(run), count, {}, progress);
+  draw_frames(images_folder(run), format, RunFile(run), count, progress);
   recorder.end_progress();
 }
 

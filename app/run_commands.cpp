@@ -12,8 +12,7 @@
 #include "supple/io/export/csv.hpp"
 #include "supple/io/export/published_text.hpp"
 #include "supple/io/export/trajectory.hpp"
-#include "supple/io/run/body_pictures.hpp"
-#include "supple/io/run/body_plot.hpp"
+#include "supple/io/run/figures.hpp"
 #include "supple/io/run/picture_mark.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "supple/io/run/run_layout.hpp"
@@ -26,12 +25,9 @@ namespace supple::command {
 
 namespace {
 
-bool is_of_bodies(const RunFile& run) { return is_deformable(run.resolved_case()); }
-
-/// What pictures show by default: the frame of the largest strain, the first of several; without strain, and
-/// of bodies, the last.
+/// What pictures show by default: the frame of the largest strain, the first of several; without strain the
+/// last.
 std::int64_t telling_frame(const RunFile& run) {
-  if (is_of_bodies(run)) return run.frames() - 1;
   std::int64_t best = 0;
   double largest = 0;
   for (std::int64_t k = 0; k < run.frames(); ++k)
@@ -42,19 +38,13 @@ std::int64_t telling_frame(const RunFile& run) {
   return largest > 0 ? best : run.frames() - 1;
 }
 
-/// The formats of discs hold no polygons.
-void check_discs(const std::string& run_path, const std::string& format) {
-  if (!is_of_bodies(RunFile(run_path))) return;
-  throw input_error(
-      run_path + " holds deformable particles", format + " holds discs of microgels",
-      "export --to packing, or start from the run itself: [initial] state = \"" + run_path + "\"");
-}
-
-void export_final_packing(const std::string& run_path, const std::string& path, Existing existing) {
-  if (!is_of_bodies(RunFile(run_path)))
-    throw input_error(run_path + " holds discs of microgels", "a packing is of deformable particles",
-                      "export --to state");
-  write_packing_json(as_packing(read_state(run_path)), path, existing);
+/// Some formats hold one kind of particles.
+void check_matter(const std::string& run_path, const std::string& format, const Matter& wanted,
+                  const std::string& to_do) {
+  const Matter& there = *experiment_of(RunFile(run_path).resolved_case()).matter;
+  if (&there == &wanted) return;
+  throw input_error(fmt::format("{} holds {}", run_path, there.name),
+                    fmt::format("{} holds {}", format, wanted.name), to_do);
 }
 
 }  // namespace
@@ -63,7 +53,7 @@ std::string beside(const std::string& run, const std::string& ending) {
   return std::filesystem::path(run).replace_extension().string() + ending;
 }
 std::string plot_path(const std::string& run, const Case& c) {
-  return beside(run, is_deformable(c) ? "_" + body_plot_subject(c) + ".png" : "_stress.png");
+  return beside(run, fmt::format("_{}.png", figure_subject(experiment_of(c).figure(c))));
 }
 std::string snapshot_path(const std::string& run) { return beside(run, "_cell.png"); }
 std::string export_path(const std::string& run, const std::string& to) {
@@ -109,7 +99,10 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
     throw input_error("--to vtp -o -", "frames for ParaView are a file and a folder", "give a name");
   static const std::map<std::string, std::string> of_discs{
       {"text", "the published text"}, {"trajectory", "a trajectory"}, {"state", "the JSON of states"}};
-  if (const auto at = of_discs.find(to); at != of_discs.end()) check_discs(run_path, at->second);
+  if (const auto at = of_discs.find(to); at != of_discs.end())
+    check_matter(run_path, at->second, disc_matter(),
+                 "export --to packing, or start from the run itself: [initial] state = \"" + run_path + "\"");
+  if (to == "packing") check_matter(run_path, "a packing", body_matter(), "export --to state");
   if (to == "csv") export_csv(RunFile(run_path), file, existing);
   else if (to == "xyz") export_xyz(RunFile(run_path), file, existing);
   else if (to == "contacts") export_contacts(RunFile(run_path), file, existing);
@@ -121,7 +114,7 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
                cells == "triangles"  ? Cells::triangles
                : cells == "outlines" ? Cells::outlines
                                      : Cells::polygons);
-  else if (to == "packing") export_final_packing(run_path, file, existing);
+  else if (to == "packing") write_packing_json(as_packing(read_state(run_path)), file, existing);
   else if (to == "text") export_published_text(RunFile(run_path), file, existing);
   else write_state_json(read_state(run_path), file, existing);
 }
@@ -136,20 +129,13 @@ void snapshot(const std::string& run_path, std::optional<int> frame, const std::
     if (k < 0 || k >= count)
       throw input_error(fmt::format("{} has no frame {}", run_path, *frame), "",
                         fmt::format("give 0 to {}, or -1 for the last", count - 1));
-    if (is_of_bodies(run)) return draw_body_snapshot(file, run, k, color);
-    if (!color.empty())
-      throw input_error("--color " + color,
-                        run_path + " holds discs of microgels: they have the colours of their particles");
-    draw_run_snapshot(file, run, k);
+    draw_frame(file, run, k, color);
   });
 }
 
 void plot(const std::string& run_path, const std::string& path, Existing existing) {
   const std::string file = path.empty() ? plot_path(run_path, RunFile(run_path).resolved_case()) : path;
-  draw(run_path, file, existing, [&](const RunFile& run) {
-    if (is_of_bodies(run)) draw_body_plot(file, run);
-    else draw_run_plot(file, run);
-  });
+  draw(run_path, file, existing, [&](const RunFile& run) { draw_figure(file, run); });
 }
 
 }  // namespace supple::command

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/draw/chart/uncertainty.hpp"
+#include "supple/experiment/experiments.hpp"
 #include "supple/io/run/run_file.hpp"
 
 namespace supple::command {
@@ -56,25 +57,46 @@ std::string family_of(const RunFile& run) {
   return c.initial.state.empty() && c.initial.packing.empty() ? c.bodies.family : "";
 }
 
-/// Sizes of what the run holds.
-void add_sizes(Json& j, const RunFile& run, const RunInfo& info) {
-  if (!is_deformable(run.resolved_case())) {
-    j["discs"] = info.radius.size();
-    j["particles"] = particle_count(info);
-    return;
-  }
+/// What the run holds: numbers for programs, and in words.
+struct Contents {
+  Json sizes;
+  std::string text;
+};
+
+Contents discs_of(const RunInfo& info) {
+  const Vec2 cell = info.units.length * 1e6 * info.box.length;
+  return {{{"discs", info.radius.size()}, {"particles", particle_count(info)}},
+          fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um", info.radius.size(),
+                      particle_count(info), cell[0], cell[1])};
+}
+
+/// The cell at the last frame: it is what packings are made to change.
+Contents bodies_of(const RunFile& run, const RunInfo& info) {
   const BodyCounts count = count_bodies(info);
-  if (const std::string family = family_of(run); !family.empty()) j["family"] = family;
-  j["particles"] = count.bodies;
-  j["polygons"] = count.polygons;
-  j["vertices"] = count.vertices;
+  const std::string family = family_of(run);
+  Contents contents;
+  if (!family.empty()) contents.sizes["family"] = family;
+  contents.sizes["particles"] = count.bodies;
+  contents.sizes["polygons"] = count.polygons;
+  contents.sizes["vertices"] = count.vertices;
+  contents.text = fmt::format("{} particles", count.bodies);
+  if (!family.empty()) contents.text += " (" + family + ")";
+  if (count.polygons > 0)
+    contents.text += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
+  const Vec2 cell = run.frames() > 0 ? run.frame(run.frames() - 1).length : info.box.length;
+  contents.text += fmt::format(", cell {:.4g} x {:.4g}", cell[0], cell[1]);
+  return contents;
+}
+
+Contents contents_of(const RunFile& run) {
+  const RunInfo info = run.info();
+  return info.body_begin.empty() ? discs_of(info) : bodies_of(run, info);
 }
 
 std::string json_summary(const RunFile& run) {
-  const RunInfo info = run.info();
   Json j{{"run", run.path()},        {"status", run.status()}, {"experiment", run.experiment()},
          {"physics", run.physics()}, {"seed", run.seed()},     {"version", run.version()}};
-  add_sizes(j, run, info);
+  j.update(contents_of(run).sizes);
   j["frames"] = run.frames();
   for (const std::string group : {"results", "constants"}) j[group] = values_json(run.values(group));
   j["warnings"] = run.warnings();
@@ -126,49 +148,19 @@ void add_values(std::string& text, const std::vector<RunValue>& values) {
   for (std::size_t i = 0; i < rows.size(); ++i) text += table_row(rows[i], widths_of(rows), meanings[i]);
 }
 
-std::string summary_of_discs(const RunFile& run) {
-  std::string text;
-  const RunInfo info = run.info();
-  const Vec2 cell = info.units.length * 1e6 * info.box.length;
-  text += fmt::format("{}: {} ({} model), {}\n", run.path(), run.experiment(), run.physics(), run.status());
-  text += hang_words(
-      "",
-      fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um, seed {}, supple {}",
-                  info.radius.size(), particle_count(info), cell[0], cell[1], run.seed(), run.version()),
-      0);
-  const std::vector<RunValue> results = run.values("results");
-  add_moduli(text, results);
-  add_values(text, results.empty() ? run.values("constants") : results);
-  return text;
-}
-
-/// The cell at the last frame: it is what packings are made to change.
-std::string summary_of_bodies(const RunFile& run) {
-  std::string text;
-  const RunInfo info = run.info();
-  const BodyCounts count = count_bodies(info);
-  const Vec2 at_end = run.frames() > 0 ? run.frame(run.frames() - 1).length : info.box.length;
-  std::string what = fmt::format("{} particles", count.bodies);
-  const std::string family = family_of(run);
-  if (!family.empty()) what += " (" + family + ")";
-  if (count.polygons > 0)
-    what += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
-  text += fmt::format("{}: {}, {}\n", run.path(), run.experiment(), run.status());
-  text += hang_words("",
-                     fmt::format("{}, cell {:.4g} x {:.4g}, seed {}, supple {}", what, at_end[0], at_end[1],
-                                 run.seed(), run.version()),
-                     0);
-  const std::vector<RunValue> results = run.values("results");
-  add_moduli(text, results);
-  add_values(text, results.empty() ? run.values("constants") : results);
-  return text;
-}
-
 }  // namespace
 
 std::string summarize(const RunFile& run, Format format, Warnings warnings) {
   if (format == Format::json) return json_summary(run);
-  std::string text = is_deformable(run.resolved_case()) ? summary_of_bodies(run) : summary_of_discs(run);
+  // where there are several models of the particles, by which
+  const bool tells_model = experiment_of(run.resolved_case()).matter->physics.size() > 1;
+  std::string text = fmt::format("{}: {}{}, {}\n", run.path(), run.experiment(),
+                                 tells_model ? fmt::format(" ({} model)", run.physics()) : "", run.status());
+  text += hang_words(
+      "", fmt::format("{}, seed {}, supple {}", contents_of(run).text, run.seed(), run.version()), 0);
+  const std::vector<RunValue> results = run.values("results");
+  add_moduli(text, results);
+  add_values(text, results.empty() ? run.values("constants") : results);
   if (warnings == Warnings::shown)
     for (const std::string& warning : run.warnings()) text += "\n" + hang_words("", "warning: " + warning, 0);
   return text;

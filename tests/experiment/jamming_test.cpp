@@ -72,7 +72,7 @@ double slope(const Packing& p, int i, int j) {
 TEST_P(JammingOf, ReachesTheWindow) {
   const Case c = small_case(GetParam());
   MemoryRecorder recorder;
-  run_jamming(c, nullptr, recorder);
+  run(c, nullptr, recorder);
   const double p = recorder.get("results", "pressure");
   EXPECT_GT(p, c.jamming.pressure);
   EXPECT_LT(p, c.jamming.pressure * (1 + c.jamming.window));
@@ -160,7 +160,7 @@ TEST(Jamming, AllSearchesEndInTheSameWindow) {
   for (const char* search : {"chapter", "root", "pressure"}) {
     c.jamming.search = search;
     MemoryRecorder recorder;
-    run_jamming(c, nullptr, recorder);
+    run(c, nullptr, recorder);
     EXPECT_GT(recorder.get("results", "pressure"), 1e-6);
     EXPECT_LT(recorder.get("results", "pressure"), 1.01e-6);
     phi[k++] = recorder.get("results", "packing_fraction");
@@ -172,8 +172,8 @@ TEST(Jamming, AllSearchesEndInTheSameWindow) {
 TEST(Jamming, SameSeedSameBits) {
   const Case c = small_case({"shell", "shell", "rough"});
   MemoryRecorder one, two;
-  run_jamming(c, nullptr, one);
-  run_jamming(c, nullptr, two);
+  run(c, nullptr, one);
+  run(c, nullptr, two);
   EXPECT_EQ(one.last_system.state.position, two.last_system.state.position);
 }
 
@@ -182,7 +182,7 @@ TEST(Jamming, SmallMinimisationsSayThatTheyDidNotConverge) {
   c.minimise.max_evaluations = 20;
   MemoryRecorder recorder;
   try {
-    run_jamming(c, nullptr, recorder);
+    run(c, nullptr, recorder);
     EXPECT_GT(recorder.get("results", "unconverged"), 0);
     EXPECT_FALSE(recorder.warnings.empty());
   } catch (const Error& e) {
@@ -199,7 +199,7 @@ TEST(Compression, GoesUpTheListAndBack) {
   c.compression.highest_pressure = 1e-3;
   c.compression.per_decade = 2;
   MemoryRecorder recorder;
-  run_compression(c, nullptr, recorder);
+  run(c, nullptr, recorder);
   const auto& table = recorder.tables.at("packing");
   const std::vector<double> p = table.column("pressure"), phi = table.column("packing_fraction"),
                             branch = table.column("branch");
@@ -223,10 +223,10 @@ TEST(Compression, CyclesComeBackToTheFirstPressure) {
   c.compression.highest_pressure = 1e-3;
   c.compression.per_decade = 1;
   MemoryRecorder first, second, above;
-  run_compression(c, nullptr, first);
+  run(c, nullptr, first);
   InitialState state;
   state.system = first.last_system;
-  run_compression(c, &state, second);
+  run(c, &state, second);
   const std::vector<double> p = second.tables.at("packing").column("pressure");
   ASSERT_EQ(p.size(), 5u);
   for (const double end : {p.front(), p.back()}) {
@@ -236,17 +236,17 @@ TEST(Compression, CyclesComeBackToTheFirstPressure) {
   c.compression.highest_pressure = 5e-5;
   c.compression.per_decade = 4;
   c.jamming.pressure = 2e-6;
-  run_compression(c, &state, above);
+  run(c, &state, above);
   EXPECT_LT(above.tables.at("packing").column("pressure").back(), 2.02e-6);
   c.jamming.pressure = 1e-7;
   c.compression.highest_pressure = 1e-6;
   MemoryRecorder down;
-  run_compression(c, &state, down);
+  run(c, &state, down);
   for (const double branch : down.tables.at("packing").column("branch")) EXPECT_EQ(branch, -1);
   EXPECT_EQ(down.tables.at("packing").rows.size(), 5u);
   EXPECT_LT(down.tables.at("packing").column("pressure").back(), 1.01e-7);
   c.compression.decompress = false;
-  EXPECT_THROW(run_compression(c, &state, down), Error);
+  EXPECT_THROW(run(c, &state, down), Error);
 }
 
 /// The least p^2/(4 pi a) is below what the edges want: the regular polygon is a saddle, however far from its
@@ -267,7 +267,7 @@ TEST(Jamming, RefusesCellsInWhichParticlesMeetThemselves) {
   c.jamming.packing_fraction = 1e-3;
   MemoryRecorder recorder;
   try {
-    run_jamming(c, nullptr, recorder);
+    run(c, nullptr, recorder);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::input);
@@ -281,10 +281,10 @@ TEST(Jamming, RefusesStatesBetweenWallsAndMicrogels) {
   state.system = make_packing(c, nullptr, 0.4).system;
   state.system.box.periodic = {false, false};
   MemoryRecorder recorder;
-  EXPECT_THROW(run_jamming(c, &state, recorder), Error);
+  EXPECT_THROW(run(c, &state, recorder), Error);
   state.system.box.periodic = {true, true};
   state.system.topology = {};
-  EXPECT_THROW(run_jamming(c, &state, recorder), Error);
+  EXPECT_THROW(run(c, &state, recorder), Error);
 }
 
 Case dynamics_case(const char* family) {
@@ -300,7 +300,7 @@ Case dynamics_case(const char* family) {
 TEST(BodyDynamicsRun, KeepsTheEnergyThatItDrew) {
   for (const char* family : {"shell", "rough_disc"}) {
     MemoryRecorder recorder;
-    run_dynamics(dynamics_case(family), nullptr, recorder);
+    run(dynamics_case(family), nullptr, recorder);
     const std::vector<double> total = recorder.tables.at("motion").column("total_energy");
     const std::vector<double> kinetic = recorder.tables.at("motion").column("kinetic_energy");
     ASSERT_GT(kinetic.front(), 0);
@@ -316,7 +316,7 @@ TEST(BodyDynamicsRun, ParticlesGetTheKineticEnergyAskedFor) {
       c.bodies.count = count;
       c.jamming.packing_fraction = 0.1;
       MemoryRecorder recorder;
-      run_dynamics(c, nullptr, recorder);
+      run(c, nullptr, recorder);
       const std::string name = family;
       const double motions = name == "shell" ? 10 : name == "disc" ? 1 : 1.5;
       EXPECT_NEAR(recorder.tables.at("motion").column("kinetic_energy").front(), 1e-5 * motions * count,
@@ -326,19 +326,19 @@ TEST(BodyDynamicsRun, ParticlesGetTheKineticEnergyAskedFor) {
   Case one = dynamics_case("disc");
   one.bodies.count = 1;
   one.jamming.packing_fraction = 0.05;
-  EXPECT_THROW(derive_dynamics(one, nullptr), Error);
+  EXPECT_THROW(derive(one, nullptr), Error);
 }
 
 TEST(BodyDynamicsRun, GoesOnFromItsStateBitForBit) {
   Case c = dynamics_case("shell");
   MemoryRecorder whole, half, rest;
-  run_dynamics(c, nullptr, whole);
+  run(c, nullptr, whole);
   c.time.steps = 30;
-  run_dynamics(c, nullptr, half);
+  run(c, nullptr, half);
   InitialState state;
   state.system = half.last_system;
   state.protocol["dt"] = half.get("protocol", "dt");
-  run_dynamics(c, &state, rest);
+  run(c, &state, rest);
   EXPECT_EQ(rest.last_system.state.position, whole.last_system.state.position);
   EXPECT_EQ(rest.last_system.state.velocity, whole.last_system.state.velocity);
 }

@@ -42,7 +42,7 @@ struct Table {
 const MemoryRecorder& run_of(const Case& c) {
   static std::map<std::string, MemoryRecorder> runs;
   const auto [at, is_new] = runs.try_emplace(c.contact.kind);
-  if (is_new) run_slump(c, nullptr, at->second);
+  if (is_new) run(c, nullptr, at->second);
   return at->second;
 }
 
@@ -126,16 +126,16 @@ TEST(SlumpOfAState, BeginsAtRest) {
   Case c = small_heap();
   c.slump.settle_time = c.slump.spread_time = 2;
   MemoryRecorder first, still, moving;
-  run_slump(c, nullptr, first);
+  run(c, nullptr, first);
   InitialState state;
   state.system = first.last_system;
-  run_slump(c, &state, moving);
+  run(c, &state, moving);
   EXPECT_EQ(moving.tables.at("motion").column("time").front(), 0);
   EXPECT_EQ(moving.tables.at("motion").column("kinetic_energy").front(), 0);
   for (Vec2& v : state.system.state.velocity) v = {};
   state.system.time = 0;
   state.system.floor_contact.clear();
-  run_slump(c, &state, still);
+  run(c, &state, still);
   EXPECT_EQ(moving.last_system.state.position, still.last_system.state.position);
 }
 
@@ -150,14 +150,14 @@ TEST(SlumpOfADisc, IsNotAtRestInTheAir) {
   c.slump.spread_time = 20;
   resolve_family(c);
   MemoryRecorder recorder;
-  run_slump(c, nullptr, recorder);
+  run(c, nullptr, recorder);
   for (const std::string when : {"settled_", ""})
     if (recorder.warnings.empty()) {
       EXPECT_NEAR(recorder.get("results", when + "floor_force"), 1, 0.01);
     }
   c.slump.settle_time = 400;  // its energy falls by exp(-0.001 t): long enough
   MemoryRecorder longer;
-  run_slump(c, nullptr, longer);
+  run(c, nullptr, longer);
   EXPECT_TRUE(longer.warnings.empty());
   EXPECT_NEAR(longer.get("results", "settled_floor_force"), 1, 0.01);
 }

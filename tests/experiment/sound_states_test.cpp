@@ -32,7 +32,7 @@ Case case_of(const char* family, int bodies, int vertices) {
 /// Runs it; expects a numerics error, and that the state handed over is one that a run may accept.
 std::string stopped(const Case& c, MemoryRecorder& recorder) {
   try {
-    run_jamming(c, nullptr, recorder);
+    run(c, nullptr, recorder);
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::numerics) << e.what();
     const Outline outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
@@ -77,7 +77,7 @@ TEST(SoundStates, ParticlesInsideOthersStopARunOrAreMarked) {
   EXPECT_THAT(stopped(c, recorder), HasSubstr("diameter_ratio"));
   c.contact.unsound = "mark";
   MemoryRecorder marked;
-  run_jamming(c, nullptr, marked);
+  run(c, nullptr, marked);
   EXPECT_THAT(marked.warnings, Contains(HasSubstr("those of no packing")));
   EXPECT_GT(marked.tables.at("packing").column("unsound").back(), 0);
   const std::vector<double>& where = marked.frames.back().body.at("unsound");

@@ -49,7 +49,7 @@ class UniaxialCompressionOf : public ::testing::TestWithParam<Kind> {};
 TEST_P(UniaxialCompressionOf, WallsBearTheStress) {
   const Case c = small_box(GetParam().family, GetParam().contact);
   MemoryRecorder recorder;
-  run_uniaxial_compression(c, nullptr, recorder);
+  run(c, nullptr, recorder);
   EXPECT_TRUE(recorder.warnings.empty()) << recorder.warnings.front();
   const auto& table = recorder.tables.at("packing");
   const auto column = [&](const char* name) { return table.column(name); };
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, UniaxialCompressionOf,
 TEST(UniaxialCompression, DiscsOverlapAndShellsFormFacets) {
   const auto last = [](const char* family, const char* contact) {
     MemoryRecorder recorder;
-    run_uniaxial_compression(small_box(family, contact), nullptr, recorder);
+    run(small_box(family, contact), nullptr, recorder);
     return recorder;
   };
   const MemoryRecorder shells = last("shell", "smooth"), discs = last("disc", "rough");
@@ -113,11 +113,11 @@ TEST(UniaxialCompression, GoesOnFromABoxAndRefusesAPeriodicCell) {
   Case c = small_box();
   c.uniaxial.strain = 0.08;
   MemoryRecorder first, second;
-  run_uniaxial_compression(c, nullptr, first);
+  run(c, nullptr, first);
   InitialState state;
   state.system = first.last_system;
   state.system.state.velocity.assign(state.system.state.position.size(), {1, 1});
-  run_uniaxial_compression(c, &state, second);
+  run(c, &state, second);
   EXPECT_EQ(second.last_system.state.velocity.front(), Vec2{});
   const auto& before = first.tables.at("packing");
   const auto& after = second.tables.at("packing");
@@ -125,7 +125,7 @@ TEST(UniaxialCompression, GoesOnFromABoxAndRefusesAPeriodicCell) {
               1e-4 * before.column("wall_force").back());
   EXPECT_EQ(after.column("strain").front(), 0);
   state.system.box.periodic = {true, true};
-  EXPECT_THROW(run_uniaxial_compression(c, &state, second), Error);
+  EXPECT_THROW(run(c, &state, second), Error);
 }
 
 TEST(UniaxialCompression, EndsWhereAMinimisationDoesNotConverge) {
@@ -134,7 +134,7 @@ TEST(UniaxialCompression, EndsWhereAMinimisationDoesNotConverge) {
   c.minimise.max_evaluations = 5;
   MemoryRecorder recorder;
   try {
-    run_uniaxial_compression(c, nullptr, recorder);
+    run(c, nullptr, recorder);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::numerics);

@@ -42,9 +42,8 @@ std::vector<Case> every_kind() {
     c.slump.settle_time = c.slump.spread_time = 1;
     c.slump.width = 4;
     if (e.name == "dynamics") c.time.steps = 20;
-    for (const char* physics : {"documented", "particleshear-1.0.2", "deformable"}) {
+    for (const std::string_view physics : e.matter->physics) {
       c.general.physics = physics;
-      if ((physics == std::string("deformable") ? e.bodies : e.discs).empty()) continue;
       Case of_kind = c;
       resolve_family(of_kind);
       kinds.push_back(of_kind);

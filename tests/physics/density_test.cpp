@@ -14,11 +14,11 @@ TEST(Density, ModuliDoNotDependOnIt) {
   c.shear.periods = 2;
   c.shear.post_periods = 0.5;
   MemoryRecorder reference;
-  run_oscillatory_shear(c, nullptr, reference);
+  run(c, nullptr, reference);
   for (const double density : {50.0, 7300.0}) {
     c.material.density = density;
     MemoryRecorder other;
-    run_oscillatory_shear(c, nullptr, other);
+    run(c, nullptr, other);
     for (const char* stress : {"internal", "external", "periodic", "virial"})
       for (const char* modulus : {"storage_modulus_", "loss_modulus_"}) {
         const std::string name = std::string(modulus) + stress;

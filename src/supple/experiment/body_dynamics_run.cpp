@@ -5,6 +5,8 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame_schedule.hpp"
+#include "supple/experiment/key_sets.hpp"
+#include "supple/experiment/sheared_bodies.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/suspension.hpp"
 
@@ -14,10 +16,6 @@ namespace {
 
 /// Rows of the table of a motion, whatever its number of steps.
 constexpr std::int64_t rows = 1000;
-
-}  // namespace
-
-namespace {
 
 /// The packing with the velocities that the case asks for.
 Packing moving_packing(const Case& c, const InitialState* initial, const Making& making) {
@@ -34,14 +32,16 @@ std::vector<Derived> derived_motion(const Case& c, const Packing& packing, doubl
   return all;
 }
 
-}  // namespace
+bool is_sheared(const Case& c) { return c.shear.rate != "0"; }
 
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
+  if (is_sheared(c)) return derive_sheared_dynamics(c, initial);
   Packing packing = moving_packing(c, initial, set_apart);
   return derived_motion(c, packing, body_time_step(c, packing, initial, conserving_step));
 }
 
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  if (is_sheared(c)) return run_sheared_dynamics(c, initial, recorder);
   Packing packing = moving_packing(c, initial, at_random(recorder));
   System<2>& s = packing.system;
   start_clock(s, c);
@@ -76,6 +76,44 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   recorder.progress("dynamics", steps, steps);
   recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
   record_packing(packing, {}, recorder, surroundings);
+}
+
+}  // namespace
+
+Experiment body_dynamics() {
+  return {
+      .name = "dynamics",
+      .meaning = "deformable particles in motion, sheared where shear.rate says so",
+      .matter = &body_matter(),
+      .keys = with(with(moving_keys(), rubbing_keys()),
+                   {"jamming.packing_fraction", "motion.kinetic_energy", "time.steps", "initial.keep_time",
+                    "shear.rate", "shear.cool_factor", "shear.relative_frequency", "output.tensors"}),
+      .needs = {{"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", Need::Of::value,
+                 [](const Case& c) { return !is_sheared(c); },
+                 "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
+                {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links "
+                 "particles.cut particles.cut_lines particles.edge_fuzziness "
+                 "particles.avoid_horizontal_angle_degree particles.avoid_height_spanning_particles "
+                 "particles.max_cut_tries particles.remove_link_fraction material.friction "
+                 "material.relative_viscosity material.relative_transversal_link_strength "
+                 "material.interface_reenforcement_central material.interface_reenforcement_tangential "
+                 "material.keep_viscosity_coefficients_constant material.slip",
+                 Need::Of::value, is_sheared,
+                 "shear.rate: particles rub, and may be linked, where the cell is sheared"},
+                {"contact.k_p contact.floor_friction", Need::Of::start, [](const Case&) { return false; },
+                 "walls: dynamics has those of the file that it starts from"}},
+      .derive = derive_body_dynamics,
+      .run = run_body_dynamics,
+      .figure = [](const Case& c) { return c.time.steps > 0 ? Figure::motion : Figure::none; },
+      .first_keys = {"experiment", "physics", "seed", "bodies.family", "bodies.N", "jamming.packing_fraction",
+                     "motion.kinetic_energy", "time.steps"},
+      .set_first =
+          [](Case& c) {
+            c.time.steps = 1000;
+            c.jamming.packing_fraction = 0.6;
+            c.motion.kinetic_energy = 1e-5;
+          },
+      .keeps_step = true};
 }
 
 }  // namespace supple

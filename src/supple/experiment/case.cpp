@@ -225,4 +225,6 @@ const Fields<Output>& fields() {
   return f;
 }
 
+bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
+
 }  // namespace supple

@@ -233,15 +233,14 @@ void for_each_key(AnyCase& c, Visit&& visit) {
   });
 }
 
-/// Whether the case is about deformable particles: by its experiment, or for dynamics by what it starts from.
-bool is_deformable(const Case& c);
+/// Whether the case asks for what the published package computes.
+bool is_package(const Case& c);
 
 /// The sections of which the case's experiment uses a key, in the order of the file.
 std::vector<std::string> sections_of(const Case& c);
 
-/// The published package shears for three periods unless told. Stiffnesses that were not given get those of
-/// the family [MacKeith 2025, Table 9.1]. The damping of `slump`, unless given, lets a particle lose its
-/// velocity while it falls by its diameter.
+/// What is not given and follows from what is: the physics from the experiment, the periods of the published
+/// package, the stiffnesses of a family [MacKeith 2025, Table 9.1].
 void resolve_family(Case& c);
 
 /// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins,

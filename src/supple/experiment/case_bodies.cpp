@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/experiments.hpp"
 #include "supple/model/polygons.hpp"
 
 namespace supple {
@@ -252,7 +253,8 @@ const Fields<Motion>& fields() {
 }
 
 void resolve_family(Case& c) {
-  if (is_deformable(c) && !c.is_given("physics")) c.general.physics = "deformable";
+  if (const Matter& matter = *experiment_of(c).matter; !c.is_given("physics") && asked_matter(c) != &matter)
+    c.general.physics = matter.physics.front();
   if (c.general.physics == "particleshear-1.0.2" && !c.is_given("shear.periods")) c.shear.periods = 3;
   Bodies& b = c.bodies;
   const auto unless_given = [&](const char* key, double& value, double of_family) {
@@ -268,8 +270,6 @@ void resolve_family(Case& c) {
     unless_given("k_l", b.k_l, 0.1);
     unless_given("gamma", b.gamma, 0.2);
   }
-  if (c.general.experiment == "slump" && !c.is_given("motion.damping"))
-    c.motion.damping = std::sqrt(c.slump.gravity);
 }
 
 }  // namespace supple

@@ -7,6 +7,7 @@
 #include "supple/core/error.hpp"
 #include "supple/core/whole_number.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/observe/onset.hpp"
@@ -105,8 +106,6 @@ void record_onset(const Course& course, const std::string& branch, const Packing
                  fit->slope, fit->slope_error);
 }
 
-}  // namespace
-
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
   std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial, set_apart));
   all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
@@ -192,6 +191,28 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   record_onset(up, "compression", packing, linear, recorder);
   record_onset(down, "decompression", packing, linear, recorder);
   record_packing(packing, last, recorder);
+}
+
+void check_pressures(const Case& c, Problems& problems) {
+  if (c.compression.highest_pressure <= c.jamming.pressure)
+    add_problem(problems, c,
+                fmt::format("compression.highest_pressure = {} is not above jamming.pressure = {}",
+                            c.compression.highest_pressure, c.jamming.pressure),
+                "compression goes from the one to the other", "raise the first or lower the second");
+}
+
+}  // namespace
+
+Experiment compression() {
+  return {.name = "compression",
+          .meaning = "a jammed packing to a list of pressures, and back: P against phi (9.13)",
+          .matter = &body_matter(),
+          .keys = with(minimised_keys(), {"jamming.*", "compression.*"}),
+          .derive = derive_compression,
+          .run = run_compression,
+          .figure = always<Figure::branches>,
+          .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"},
+          .check = check_pressures};
 }
 
 }  // namespace supple

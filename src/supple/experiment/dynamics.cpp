@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "supple/core/error.hpp"
@@ -7,6 +9,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/frame_schedule.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/stress_table.hpp"
@@ -46,11 +49,7 @@ double start_time(const Case&, const InitialState* initial) {
   return initial ? initial->system.time * initial->units.time : 0;
 }
 
-}  // namespace
-
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
-  if (is_deformable(c) && c.shear.rate != "0") return derive_sheared_dynamics(c, initial);
-  if (is_deformable(c)) return derive_body_dynamics(c, initial);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
@@ -64,8 +63,6 @@ std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial)
 }
 
 void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
-  if (is_deformable(c) && c.shear.rate != "0") return run_sheared_dynamics(c, initial, recorder);
-  if (is_deformable(c)) return run_body_dynamics(c, initial, recorder);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
@@ -105,6 +102,41 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   table.finish(s.system, last);
   if (stopped_after > 0)
     throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(stopped_after));
+}
+
+void check_protocol(const Case& c, Problems& problems) {
+  if (c.box.boundary != "lees_edwards" && c.shear.rate != "0")
+    add_problem(
+        problems, c,
+        fmt::format("shear.rate = \"{}\" in a cell with boundary = \"{}\"", c.shear.rate, c.box.boundary),
+        "only Lees-Edwards boundaries can be sheared", "set boundary = \"lees_edwards\" or rate = \"0\"");
+  if (!c.is_given("time.steps") && c.time.steps == 0 && c.initial.state.empty())
+    add_problem(problems, c, "time.steps is missing", "dynamics records that many steps",
+                "set steps in [time]");
+}
+
+}  // namespace
+
+Experiment dynamics() {
+  return {.name = "dynamics",
+          .meaning = "discs moving under a prescribed shear rate, every step recorded",
+          .matter = &disc_matter(),
+          .keys = with(disc_keys(), {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor",
+                                     "shear.rate", "time.*", "initial.state", "initial.keep_time",
+                                     "output.tensors", "output.energies", "output.frames", "output.plot"}),
+          .needs = {{"shear.amplitude", Need::Of::physics, is_package,
+                     "experiment = \"oscillatory_shear\": dynamics is sheared by shear.rate"}},
+          .derive = derive_dynamics,
+          .run = run_dynamics,
+          .figure = always<Figure::stress>,
+          .first_keys = {"experiment", "seed", "particles.N", "time.steps", "shear.rate"},
+          .set_first =
+              [](Case& c) {
+                c.time.steps = 1000;
+                c.shear.rate = "10*cos(2*pi*50*t)";
+              },
+          .check = check_protocol,
+          .keeps_step = true};
 }
 
 }  // namespace supple

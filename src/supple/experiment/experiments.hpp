@@ -1,5 +1,6 @@
 /// The experiments: what can be run, and how.
 #pragma once
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,25 +8,54 @@
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
+#include "supple/experiment/matter.hpp"
 #include "supple/experiment/recorder.hpp"
+#include "supple/experiment/used_keys.hpp"
 
 namespace supple {
 
-/// "section.*", "section.key", and "-section.key" to take one out again.
-using UsedKeys = std::vector<std::string_view>;
+/// What the figure of a run shows.
+enum class Figure {
+  none,
+  stress,    ///< strain and stress against time, and the loops where moduli were found
+  search,    ///< pressure against packing fraction near the end of the search for the jammed state
+  branches,  ///< the same of a compression and of the way back, with the lines that were fitted
+  wall,      ///< force on the wall and contacts against strain
+  motion     ///< energies against time, and the pressure or the reach of a heap
+};
+template <Figure figure>
+Figure always(const Case&) {
+  return figure;
+}
 
+/// An experiment on one kind of particles: a file, and a row of experiments(). Those of one name are the same
+/// experiment on other particles.
 struct Experiment {
   std::string name, meaning;
-  UsedKeys discs,
-      bodies;  ///< keys it uses of microgel discs, and of deformable particles; empty: not about these
+  const Matter* matter;
+  UsedKeys keys;
+  std::vector<Need> needs = {};  ///< of keys, besides those that every experiment has (used_keys.cpp)
   std::vector<Derived> (*derive)(const Case&, const InitialState*);
   void (*run)(const Case&, const InitialState*, Recorder&);
-  std::string_view next =
-      {};  ///< the experiment that starts from what this one leaves: its keys do no harm here
+  Figure (*figure)(const Case&) = always<Figure::none>;
+  std::set<std::string> first_keys;         ///< of a first case, shown set as everybody changes them
+  void (*set_first)(Case&) = [](Case&) {};  ///< values of a first case that are not the defaults
+  /// Values that follow from others unless they are given.
+  void (*complete)(Case&) = [](Case&) {};
+  /// What one key of its protocol cannot know of another.
+  void (*check)(const Case&, Problems&) = [](const Case&, Problems&) {};
+  void (*doubt)(const Case&, Doubts&) = [](const Case&, Doubts&) {};
+  std::string_view next = {};  ///< the experiment that starts from what this one leaves: its keys do no harm
+  bool keeps_step = false;     ///< goes on with the time step of the state that it starts from
 };
 
 const std::vector<Experiment>& experiments();
-/// Throws an input error where the case names none of them.
+/// The names, each once.
+std::vector<std::string> experiment_names();
+/// The experiment of this name on these particles; null where there is none.
+const Experiment* find_experiment(std::string_view name, const Matter& matter);
+/// Of those with the name, that on the particles which the case asks for, or the first. Throws an input error
+/// where there is none of the name.
 const Experiment& experiment_of(const Case& c);
 
 /// The same as check(c) for a case that starts from `initial`, or from what [initial] names.
@@ -40,27 +70,15 @@ std::vector<Derived> derive(const Case& c, const InitialState* initial);
 /// `interrupted` after the recorder was given the state.
 void run(const Case& c, const InitialState* initial, Recorder& recorder);
 
-std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial);
-void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_preparation(const Case& c, const InitialState* initial);
-void run_preparation(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial);
-void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial);
-void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_compression(const Case& c, const InitialState* initial);
-void run_compression(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial);
-void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_slump(const Case& c, const InitialState* initial);
-void run_slump(const Case& c, const InitialState* initial, Recorder& recorder);
-/// `oscillatory_shear` of deformable particles.
-std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initial);
-void run_body_shear(const Case& c, const InitialState* initial, Recorder& recorder);
-/// `dynamics` of deformable particles; the second pair with a shear rate.
-std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial);
-void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
-std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial);
-void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
+// The rows, each in the file of its name.
+Experiment oscillatory_shear();
+Experiment body_shear();
+Experiment preparation();
+Experiment dynamics();
+Experiment body_dynamics();
+Experiment jamming();
+Experiment compression();
+Experiment uniaxial_compression();
+Experiment slump();
 
 }  // namespace supple

@@ -4,6 +4,7 @@
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/way_to_jam.hpp"
@@ -17,6 +18,8 @@ JamSpec jam_spec(const Case& c) {
                                                 : JamSearch::root;
   return {search, c.jamming.pressure, c.jamming.window, c.jamming.step};
 }
+
+namespace {
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
   const Packing packing = make_periodic_packing(c, initial, set_apart);
@@ -62,6 +65,20 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
     hand_over_packing(packing, recorder);
     throw;
   }
+}
+
+}  // namespace
+
+Experiment jamming() {
+  return {.name = "jamming",
+          .meaning = "isotropic compression of deformable particles to a jammed packing (9.4)",
+          .matter = &body_matter(),
+          .keys = with(minimised_keys(), {"jamming.*"}),
+          .derive = derive_jamming,
+          .run = run_jamming,
+          .figure = always<Figure::search>,
+          .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices",
+                         "jamming.pressure"}};
 }
 
 }  // namespace supple

@@ -8,6 +8,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/expression.hpp"
+#include "supple/experiment/experiments.hpp"
 #include "supple/experiment/material.hpp"
 #include "supple/model/discs.hpp"
 
@@ -123,7 +124,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
   k.time_step = step_share * k.stable_step * c.time.step_factor;
   k.relaxation_step = step_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
-  if (initial && c.general.experiment == "dynamics")
+  if (initial && experiment_of(c).keeps_step)
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end())
       k.time_step = dt->second * initial->units.time * c.time.step_factor;
   if (c.time.time_step > 0) k.time_step = c.time.time_step;
@@ -134,6 +135,13 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
         fmt::format("set [time] step to at most {:.3g} s, or leave it out for {:.3g} s", 0.5 * k.stable_step,
                     step_share * k.stable_step));
   return k;
+}
+
+std::set<std::string> microgel_first_keys() {
+  return {"experiment",          "seed",
+          "particles.N",         "particles.packing_fraction",
+          "particles.cut_lines", "material.young_modulus",
+          "material.friction",   "shear.amplitude"};
 }
 
 std::vector<Derived> derived_constants(const MicrogelConstants& k) {

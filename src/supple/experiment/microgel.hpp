@@ -2,6 +2,8 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "supple/experiment/case.hpp"
@@ -30,6 +32,9 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
 
 /// What a run records of them.
 std::vector<Derived> derived_constants(const MicrogelConstants& k);
+
+/// Keys that everybody changes in a first case of a suspension.
+std::set<std::string> microgel_first_keys();
 
 /// The repulsion law that the case names; c is the central repulsion coefficient.
 Repulsion make_repulsion(const Material& material, double c);

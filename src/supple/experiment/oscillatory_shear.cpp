@@ -12,6 +12,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/frame_schedule.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
@@ -68,10 +69,7 @@ double scaffold_modulus(const MicrogelConstants& k) {
   return 0.25 * std::numbers::sqrt3 * (k.law.link.k + k.law.link.k_t);
 }
 
-}  // namespace
-
 std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState* initial) {
-  if (is_deformable(c)) return derive_body_shear(c, initial);
   const ShearProtocol p = make_protocol(c, initial);
   std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
                                            : derived_constants(derive_constants(c, initial));
@@ -90,7 +88,6 @@ std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState*
 }
 
 void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder) {
-  if (is_deformable(c)) return run_body_shear(c, initial, recorder);
   const std::clock_t start = std::clock();
   const ShearProtocol protocol = make_protocol(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
@@ -130,6 +127,35 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   record_counts(s.system, last, recorder);
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},
                  static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+}
+
+void check_boundary(const Case& c, Problems& problems) {
+  if (c.box.boundary != "lees_edwards")
+    add_problem(problems, c, fmt::format("box.boundary = \"{}\" cannot be sheared", c.box.boundary),
+                "oscillatory_shear strains the cell",
+                "set boundary = \"lees_edwards\", or experiment = \"dynamics\"");
+}
+
+void doubt_protocol(const Case& c, Doubts& doubts) {
+  if (is_package(c) && c.shear.pre_periods == 0)
+    doubts.push_back("shear.pre_periods = 0: drift and offset cannot be removed");
+  doubt_periods(c, doubts);
+}
+
+}  // namespace
+
+Experiment oscillatory_shear() {
+  return {.name = "oscillatory_shear",
+          .meaning = "G' and G'' of a suspension of crosslinked particles under oscillatory shear",
+          .matter = &disc_matter(),
+          .keys = with(disc_keys(), {"shear.*", "-shear.rate", "time.step", "time.step_factor",
+                                     "initial.state", "output.*"}),
+          .derive = derive_oscillatory_shear,
+          .run = run_oscillatory_shear,
+          .figure = always<Figure::stress>,
+          .first_keys = microgel_first_keys(),
+          .check = check_boundary,
+          .doubt = doubt_protocol};
 }
 
 }  // namespace supple

@@ -1,6 +1,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
 #include "supple/experiment/particleshear_protocol.hpp"
@@ -8,6 +9,8 @@
 #include "supple/observe/stress.hpp"
 
 namespace supple {
+
+namespace {
 
 std::vector<Derived> derive_preparation(const Case& c, const InitialState* initial) {
   if (initial)
@@ -30,6 +33,24 @@ void run_preparation(const Case& c, const InitialState* initial, Recorder& recor
                  stress.pressure());
   recorder.value("results", {"shear_stress_virial", "Pa", "left by the preparation"}, stress.shear_virial());
   record_counts(s.system, evaluation, recorder);
+}
+
+}  // namespace
+
+Experiment preparation() {
+  return {.name = "preparation",
+          .meaning = "such a suspension brought to rest, for runs that start from it",
+          .matter = &disc_matter(),
+          .keys = with(disc_keys(), {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor",
+                                     "time.step", "time.step_factor"}),
+          .needs = {{"shear.amplitude shear.relative_frequency shear.cool_factor time.step time.step_factor",
+                     Need::Of::physics, is_package,
+                     "physics = \"particleshear-1.0.2\": as documented the sample knows nothing of the "
+                     "protocol"}},
+          .derive = derive_preparation,
+          .run = run_preparation,
+          .first_keys = microgel_first_keys(),
+          .next = "oscillatory_shear"};
 }
 
 }  // namespace supple

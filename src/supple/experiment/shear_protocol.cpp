@@ -56,6 +56,18 @@ Protocol windows_of(const OscillatoryProtocol& p) {
           p.periods(p.post_steps)};
 }
 
+void doubt_periods(const Case& c, Doubts& doubts) {
+  if (c.shear.periods < 2)
+    doubts.push_back(
+        fmt::format("shear.periods = {}: the first period is transient and there is no second to demodulate",
+                    c.shear.periods));
+  else if (c.shear.periods < 4 && !is_package(c))
+    doubts.push_back(
+        fmt::format("shear.periods = {}: no error of G' and G'', as the cycles after the first are fewer "
+                    "than three",
+                    c.shear.periods));
+}
+
 std::vector<Derived> derived_protocol(const Protocol& p, const std::string& frequency_unit) {
   return {{{"frequency", frequency_unit, "of the oscillation"}, p.frequency},
           {{"strain_amplitude", "", "A"}, p.amplitude},

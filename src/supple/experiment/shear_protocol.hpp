@@ -6,6 +6,7 @@
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
+#include "supple/experiment/problems.hpp"
 #include "supple/experiment/protocol.hpp"
 #include "supple/observe/demodulate.hpp"
 
@@ -22,5 +23,8 @@ Protocol windows_of(const OscillatoryProtocol& p);
 
 /// What a run records of them, and its figure reads.
 std::vector<Derived> derived_protocol(const Protocol& p, const std::string& frequency_unit);
+
+/// Too few periods for moduli, or for their errors.
+void doubt_periods(const Case& c, Doubts& doubts);
 
 }  // namespace supple

@@ -11,6 +11,7 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/heap.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/sanity.hpp"
@@ -197,8 +198,6 @@ std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
   return all;
 }
 
-}  // namespace
-
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
   Packing packing = hanging_packing(c, initial, set_apart);
   return derived_slump(c, packing);
@@ -219,6 +218,30 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
     heap.leave();
     throw;
   }
+}
+
+/// That with which a particle loses its velocity while it falls by its diameter. A state that was simulated
+/// without drag has none to hand on.
+void choose_damping(Case& c) {
+  if (!c.is_given("motion.damping") && c.motion.damping == 0) c.motion.damping = std::sqrt(c.slump.gravity);
+}
+
+}  // namespace
+
+Experiment slump() {
+  return {.name = "slump",
+          .meaning = "a heap under gravity spreads when a wall is taken away (9.3)",
+          .matter = &body_matter(),
+          .keys = with(moving_keys(), {"slump.*"}),
+          .derive = derive_slump,
+          .run = run_slump,
+          .figure = always<Figure::motion>,
+          .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "contact.floor_friction",
+                         "slump.gravity"},
+          .complete = choose_damping,
+          .doubt = [](const Case& c, Doubts& doubts) {
+            if (c.motion.damping == 0) doubts.push_back("motion.damping = 0: nothing ever settles");
+          }};
 }
 
 }  // namespace supple

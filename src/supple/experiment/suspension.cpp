@@ -196,8 +196,6 @@ void start_clock(System<2>& system, const Case& c) {
   system.step = 0;
 }
 
-bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
-
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder) {
   for (const Derived& d : derived) recorder.value("constants", d.name, d.value);

@@ -45,7 +45,4 @@ Box<2> make_box(const Case& c, const Units& units);
 /// How the case makes crosslinked particles.
 CrosslinkSpec crosslink_spec(const Case& c);
 
-/// Whether the case asks for what the published package computes.
-bool is_package(const Case& c);
-
 }  // namespace supple

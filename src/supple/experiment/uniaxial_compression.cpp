@@ -8,6 +8,7 @@
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame_schedule.hpp"
+#include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/bodies.hpp"
@@ -131,8 +132,6 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
   }
 }
 
-}  // namespace
-
 std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialState* initial) {
   std::vector<Derived> all = derived_equilibria(boxed_packing(c, initial, set_apart));
   all.push_back({{"minimisations", "", "steps of the wall, each with a minimisation"},
@@ -159,6 +158,20 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
     for (const char* name : {"wall_force", "contact_length", "mean_overlap", "overlap_area"})
       if (columns[k].name == name) recorder.value("results", columns[k], row[k]);
   record_packing(packing, work, recorder);
+}
+
+}  // namespace
+
+Experiment uniaxial_compression() {
+  return {.name = "uniaxial_compression",
+          .meaning = "deformable particles squeezed in a box of walls (9.4)",
+          .matter = &body_matter(),
+          .keys = with(minimised_keys(), {"contact.k_p", "uniaxial.*", "output.frames"}),
+          .derive = derive_uniaxial_compression,
+          .run = run_uniaxial_compression,
+          .figure = always<Figure::wall>,
+          .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "uniaxial.strain",
+                         "uniaxial.packing_fraction"}};
 }
 
 }  // namespace supple

@@ -7,28 +7,12 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/key_sets.hpp"
 
 namespace supple {
 
 namespace {
 
-/// What a key needs besides an experiment that uses it.
-struct Need {
-  enum class Of {
-    physics,
-    start,
-    value
-  };                      ///< of the experiment's physics, of a state to start from, of another key
-  std::string_view keys;  ///< names with spaces between
-  Of of;
-  bool (*met)(const Case&);
-  std::string_view needed;
-};
-
-bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
-bool is(const Case& c, std::string_view experiment) { return c.general.experiment == experiment; }
-bool shears_bodies(const Case& c) { return is(c, "dynamics") && is_deformable(c) && c.shear.rate != "0"; }
-bool starts_from_file(const Case& c) { return !c.initial.state.empty() || !c.initial.packing.empty(); }
 bool has_links(const Case& c) { return c.particles.permanent_links; }
 bool has_plateau(const Case& c) { return c.material.elastic_law == "plateau"; }
 bool has_polygons(const Case& c) { return c.bodies.family != "disc"; }
@@ -42,30 +26,7 @@ const std::vector<Need>& needs() {
        "physics = \"documented\": the package relaxes for numbers of steps of its own"},
       {"output.energies", physics, [](const Case& c) { return !is_package(c); },
        "physics = \"documented\": contacts of the package have no energy"},
-      {"shear.amplitude", physics, [](const Case& c) { return !is(c, "dynamics") || is_package(c); },
-       "experiment = \"oscillatory_shear\": dynamics is sheared by shear.rate"},
-      {"shear.amplitude shear.relative_frequency shear.cool_factor time.step time.step_factor", physics,
-       [](const Case& c) { return !is(c, "preparation") || is_package(c); },
-       "physics = \"particleshear-1.0.2\": as documented the sample knows nothing of the protocol"},
-      {"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", value,
-       [](const Case& c) { return !shears_bodies(c); },
-       "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
-      {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links particles.cut "
-       "particles.cut_lines particles.edge_fuzziness particles.avoid_horizontal_angle_degree "
-       "particles.avoid_height_spanning_particles particles.max_cut_tries particles.remove_link_fraction "
-       "material.friction material.relative_viscosity material.relative_transversal_link_strength "
-       "material.interface_reenforcement_central material.interface_reenforcement_tangential "
-       "material.keep_viscosity_coefficients_constant material.slip",
-       value, [](const Case& c) { return !is(c, "dynamics") || !is_deformable(c) || shears_bodies(c); },
-       "shear.rate: particles rub, and may be linked, where the cell is sheared"},
-      {"jamming.packing_fraction jamming.step jamming.pressure jamming.window jamming.search "
-       "jamming.pressure_kind minimise.method minimise.force_tolerance minimise.least_force "
-       "minimise.max_evaluations",
-       value, [](const Case& c) { return !is(c, "oscillatory_shear") || !starts_from_file(c); },
-       "particles made from [bodies]: those of a file are sheared as they are"},
       {"initial.keep_time", start, [](const Case&) { return false; }, "a file to start from"},
-      {"contact.k_p contact.floor_friction", start, [](const Case& c) { return !is(c, "dynamics"); },
-       "walls: dynamics has those of the file that it starts from"},
       {"jamming.search", value,
        [](const Case& c) { return !starts_from_file(c) || c.jamming.search != "pressure"; },
        "particles made from [bodies]: a packing that is given goes on by the root search"},
@@ -127,32 +88,38 @@ bool declares(const UsedKeys& entries, std::string_view key) {
   return used;
 }
 
-const UsedKeys& used_by(const Experiment& e, bool deformable) { return deformable ? e.bodies : e.discs; }
-
-const Experiment* named(std::string_view name) {
+/// The experiment of the case; null where it names none.
+const Experiment* experiment_or_none(const Case& c) {
   for (const Experiment& e : experiments())
-    if (e.name == name) return &e;
+    if (e.name == c.general.experiment) return &experiment_of(c);
   return nullptr;
 }
 
 /// The need of this kind that is not met.
 const Need* unmet(const Case& c, std::string_view key, Need::Of of) {
-  for (const Need& need : needs())
-    if (need.of == of && names(need.keys, key) && !need.met(c)) return &need;
-  return nullptr;
+  const auto find = [&](const std::vector<Need>& among) -> const Need* {
+    for (const Need& need : among)
+      if (need.of == of && names(need.keys, key) && !need.met(c)) return &need;
+    return nullptr;
+  };
+  const Experiment* e = experiment_or_none(c);
+  const Need* of_experiment = e ? find(e->needs) : nullptr;
+  return of_experiment ? of_experiment : find(needs());
 }
 
 /// Whether the key is one of the runs that start from what this experiment leaves.
 bool is_of_next(const Case& c, std::string_view key) {
-  const Experiment* e = named(c.general.experiment);
-  const Experiment* next = e ? named(e->next) : nullptr;
-  return next && declares(used_by(*next, is_deformable(c)), key);
+  const Experiment* e = experiment_or_none(c);
+  const Experiment* next = e ? find_experiment(e->next, *e->matter) : nullptr;
+  return next && declares(next->keys, key);
 }
 
 std::string described(const Case& c) {
   std::string text = fmt::format("experiment = \"{}\"", c.general.experiment);
-  const Experiment* e = named(c.general.experiment);
-  if (e && !e->discs.empty() && is_deformable(c)) text += " of deformable particles";
+  const Experiment* e = experiment_or_none(c);
+  const bool of_several =
+      e && find_experiment(e->name, disc_matter()) && find_experiment(e->name, body_matter());
+  if (of_several && e->matter == &body_matter()) text += fmt::format(" of {}", e->matter->name);
   if (is_package(c)) text += " with physics = \"particleshear-1.0.2\"";
   return text;
 }
@@ -170,10 +137,9 @@ std::string advice(const Case& c, std::string_view key) {
 
 }  // namespace
 
-bool is_deformable(const Case& c) {
-  if (c.general.physics == "deformable" || !c.initial.packing.empty()) return true;
-  const Experiment* e = named(c.general.experiment);
-  return e && e->discs.empty();
+UsedKeys with(UsedKeys common, const UsedKeys& more) {
+  common.insert(common.end(), more.begin(), more.end());
+  return common;
 }
 
 std::vector<std::string> sections_of(const Case& c) {
@@ -186,14 +152,14 @@ std::vector<std::string> sections_of(const Case& c) {
 }
 
 bool uses(const Case& c, std::string_view key) {
-  const Experiment* e = named(c.general.experiment);
-  return e && declares(used_by(*e, is_deformable(c)), key) && !unmet(c, key, Need::Of::physics);
+  const Experiment* e = experiment_or_none(c);
+  return e && declares(e->keys, key) && !unmet(c, key, Need::Of::physics);
 }
 
 std::vector<std::string> users_of(std::string_view key) {
   std::vector<std::string> users;
   for (const Experiment& e : experiments())
-    if (declares(e.discs, key) || declares(e.bodies, key)) users.push_back(e.name);
+    if (declares(e.keys, key) && (users.empty() || users.back() != e.name)) users.push_back(e.name);
   return users;
 }
 

@@ -6,8 +6,24 @@
 #include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/experiment/matter.hpp"
 
 namespace supple {
+
+/// "section.*", "section.key", and "-section.key" to take one out again; the last that fits decides.
+using UsedKeys = std::vector<std::string_view>;
+/// `common`, then `more`.
+UsedKeys with(UsedKeys common, const UsedKeys& more);
+
+/// What a key needs besides an experiment that uses it.
+struct Need {
+  /// Of the experiment's physics, of a state to start from, of another key.
+  enum class Of { physics, start, value };
+  std::string_view keys;  ///< names with spaces between
+  Of of;
+  bool (*met)(const Case&);
+  std::string_view needed;
+};
 
 /// Whether the case's experiment uses the key ("section.key"; "seed" above any section) for its matter and
 /// physics.
@@ -15,9 +31,6 @@ bool uses(const Case& c, std::string_view key);
 
 /// The experiments that use the key, of discs or of deformable particles.
 std::vector<std::string> users_of(std::string_view key);
-
-/// What a run starts from: particles that it makes, or those of a state.
-enum class Start { nothing, state };
 
 /// An input error, as text, for each key that was set to something else than its default and that the
 /// experiment does not use, or not with what it starts from.

@@ -5,7 +5,8 @@
 #include "supple/core/error.hpp"
 #include "supple/draw/chart/plot.hpp"
 #include "supple/draw/scene/particle_colors.hpp"
-#include "supple/experiment/suspension.hpp"
+#include "supple/experiment/case.hpp"
+#include "supple/io/run/body_pictures.hpp"
 
 namespace supple {
 
@@ -80,6 +81,21 @@ void draw_run_snapshot(const std::string& path, const RunFile& run, std::int64_t
   const RunInfo info = run.info();
   if (options.color.empty()) options.color = disc_colors(info, run.frame(0));
   draw_snapshot(path, info, run.frame(k), options);
+}
+
+void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const std::string& color) {
+  if (!run.info().body_begin.empty()) return draw_body_snapshot(path, run, k, color);
+  if (!color.empty())
+    throw input_error("--color " + color,
+                      run.path() + " holds discs of microgels: they have the colours of their particles");
+  draw_run_snapshot(path, run, k);
+}
+
+std::int64_t draw_frames(const std::string& folder, const std::string& ending, const RunFile& run,
+                         std::int64_t images,
+                         const std::function<void(std::int64_t, std::int64_t)>& progress) {
+  return run.info().body_begin.empty() ? draw_run_images(folder, ending, run, images, {}, progress)
+                                       : draw_body_images(folder, ending, run, images, "", progress);
 }
 
 void draw_run_plot(const std::string& path, const RunFile& run) {

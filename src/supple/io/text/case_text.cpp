@@ -61,7 +61,7 @@ std::string valid_values(const Field<P>& field) {
 std::string users(std::string_view section, std::string_view name) {
   const std::vector<std::string> all =
       users_of(section.empty() ? std::string(name) : fmt::format("{}.{}", section, name));
-  return all.size() == experiments().size() ? "all" : fmt::format("{}", fmt::join(all, ", "));
+  return all.size() == experiment_names().size() ? "all" : fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// Text for a cell of a Markdown table.

@@ -1,4 +1,4 @@
-#include "supple/io/run/body_plot.hpp"
+#include "supple/io/run/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,11 @@ std::string unit_of(const RunFile& run, const std::string& table, const std::str
   for (const Column& column : run.columns(table))
     if (column.name == name) return column.unit;
   return "";
+}
+
+bool has_column(const RunFile& run, const std::string& table, const std::string& name) {
+  const std::vector<Column> columns = run.columns(table);
+  return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
 }
 
 void check_rows(const RunFile& run, const std::string& table) {
@@ -108,30 +113,45 @@ void plot_motion(const std::string& path, const RunFile& run) {
              {{"potential_energy", "potential"}, {"kinetic_energy", "kinetic"}, {"total_energy", "total"}})},
       1};
   column.panels.back().weight = 1.6;
-  if (run.experiment() == "slump")
+  if (has_column(run, "motion", "front"))
     column.panels.push_back(
         panel({"Length", ""}, {{"front", "front of the heap"}, {"top", "top of the heap"}}));
   else column.panels.push_back(panel({"Pressure", unit_of(run, "motion", "pressure")}, {{"pressure", ""}}));
   draw_chart(path, {{column}, 340, 300});
 }
 
-}  // namespace
+/// How each is drawn, and from which table of the run.
+struct Drawing {
+  Figure figure;
+  std::string_view subject;
+  const char* table;
+  void (*draw)(const std::string& path, const RunFile& run);
+};
+constexpr Drawing drawings[] = {{Figure::stress, "stress", nullptr, draw_run_plot},
+                                {Figure::search, "pressure", "packing", plot_jamming},
+                                {Figure::branches, "pressure", "packing", plot_compression},
+                                {Figure::wall, "force", "packing", plot_uniaxial},
+                                {Figure::motion, "energy", "motion", plot_motion}};
 
-std::string body_plot_subject(const Case& c) {
-  if (c.general.experiment == "oscillatory_shear") return "stress";
-  if (c.general.experiment == "jamming" || c.general.experiment == "compression") return "pressure";
-  return c.general.experiment == "uniaxial_compression" ? "force" : "energy";
+const Drawing* find_drawing(Figure figure) {
+  for (const Drawing& d : drawings)
+    if (d.figure == figure) return &d;
+  return nullptr;
 }
 
-void draw_body_plot(const std::string& path, const RunFile& run) {
-  const std::string experiment = run.experiment();
-  if (experiment == "oscillatory_shear") return draw_run_plot(path, run);
-  const bool moves = experiment == "dynamics" || experiment == "slump";
-  check_rows(run, moves ? "motion" : "packing");
-  if (moves) plot_motion(path, run);
-  else if (experiment == "jamming") plot_jamming(path, run);
-  else if (experiment == "compression") plot_compression(path, run);
-  else plot_uniaxial(path, run);
+}  // namespace
+
+std::string_view figure_subject(Figure figure) {
+  const Drawing* d = find_drawing(figure);
+  return d ? d->subject : "course";
+}
+
+void draw_figure(const std::string& path, const RunFile& run) {
+  const Case c = run.resolved_case();
+  const Drawing* d = find_drawing(experiment_of(c).figure(c));
+  if (!d) throw input_error("cannot plot " + run.path(), "it has no course: nothing moved");
+  if (d->table) check_rows(run, d->table);
+  d->draw(path, run);
 }
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-#include "supple/io/run/body_plot.hpp"
+#include "supple/io/run/figures.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ namespace {
 using testing::content_of;
 using testing::count_of;
 
-class BodyPlot : public testing::TemporaryFolder {
+class FigureOfBodies : public testing::TemporaryFolder {
  protected:
   using Rows = std::vector<std::vector<double>>;
   /// The figure of a run with this table, as SVG.
@@ -26,7 +26,7 @@ class BodyPlot : public testing::TemporaryFolder {
     for (const auto& row : rows) recorder.append(table, row);
     for (const auto& [name, value] : results) recorder.value("results", {name, "", ""}, value);
     recorder.finish("complete");
-    draw_body_plot(in_folder("a.svg"), RunFile(run));
+    draw_figure(in_folder("a.svg"), RunFile(run));
     return content_of(in_folder("a.svg"));
   }
   /// Points of a colour of line_palette: filled circles.
@@ -40,8 +40,8 @@ constexpr const char* red = "93.333333%,40%,46.666667%";
 const std::vector<Column> pressure_columns{
     {"packing_fraction", "", ""}, {"pressure", "k_a a0", ""}, {"branch", "", ""}};
 
-TEST_F(BodyPlot, CompressionShowsBothBranchesThatMeetAtTheTop) {
-  const BodyPlot::Rows rows{
+TEST_F(FigureOfBodies, CompressionShowsBothBranchesThatMeetAtTheTop) {
+  const FigureOfBodies::Rows rows{
       {0.84, 1e-7, 1}, {0.85, 1e-3, 1}, {0.90, 1e-2, 1}, {0.852, 1e-3, -1}, {0.843, 1e-7, -1}};
   const std::string svg = figure(testing::body_case("compression"), "packing", pressure_columns, rows);
   EXPECT_EQ(points(svg, blue), 3 + 1);  // and the legend's
@@ -52,29 +52,29 @@ TEST_F(BodyPlot, CompressionShowsBothBranchesThatMeetAtTheTop) {
   EXPECT_EQ(count_of(fitted, "stroke-dasharray"), 1);
 }
 
-TEST_F(BodyPlot, JammingShowsPressuresNearTheWantedOne) {
+TEST_F(FigureOfBodies, JammingShowsPressuresNearTheWantedOne) {
   Case c = testing::body_case("jamming");
   c.jamming.pressure = 1e-4;
-  const BodyPlot::Rows rows{
+  const FigureOfBodies::Rows rows{
       {0.1, 0, 0}, {0.8, 1e-15, 0}, {0.84, 3e-5, 0}, {0.85, 3e-4, 0}, {0.845, 1.005e-4, 0}};
   const std::string svg = figure(c, "packing", pressure_columns, rows);
   EXPECT_EQ(points(svg, blue), 3 + 1);
   EXPECT_EQ(count_of(svg, "stroke-dasharray"), 2);  // the wanted pressure and its legend
 }
 
-TEST_F(BodyPlot, UniaxialCompressionShowsForceAgainstStrain) {
+TEST_F(FigureOfBodies, UniaxialCompressionShowsForceAgainstStrain) {
   const std::string svg = figure(testing::body_case("uniaxial_compression"), "packing",
                                  {{"strain", "", ""}, {"wall_force", "", ""}, {"contact_length", "", ""}},
                                  {{0, 0, 0}, {0.1, 0.2, 2}, {0.2, 0.5, 3}});
   EXPECT_GT(count_of(svg, "stroke:rgb(" + std::string(blue) + ")"), 1);
 }
 
-TEST_F(BodyPlot, MotionsShowEnergiesAndTheHeap) {
+TEST_F(FigureOfBodies, MotionsShowEnergiesAndTheHeap) {
   const std::vector<Column> columns{
       {"time", "", ""},         {"potential_energy", "", ""}, {"kinetic_energy", "", ""},
       {"total_energy", "", ""}, {"pressure", "k_a a0", ""},   {"front", "", ""},
       {"top", "", ""}};
-  const BodyPlot::Rows rows{{0, 1, 2, 3, 0.1, 5, 6}, {1, 2, 1, 3, 0.2, 7, 4}};
+  const FigureOfBodies::Rows rows{{0, 1, 2, 3, 0.1, 5, 6}, {1, 2, 1, 3, 0.2, 7, 4}};
   for (const std::string experiment : {"dynamics", "slump"}) {
     const std::string svg = figure(testing::body_case(experiment), "motion", columns, rows);
     const int legend = experiment == "slump" ? 5 : 3;
@@ -82,7 +82,7 @@ TEST_F(BodyPlot, MotionsShowEnergiesAndTheHeap) {
   }
 }
 
-TEST_F(BodyPlot, RefusesARunWithNothingToShow) {
+TEST_F(FigureOfBodies, RefusesARunWithNothingToShow) {
   try {
     figure(testing::body_case("dynamics"), "motion", {{"time", "", ""}}, {{0}});
     FAIL();
@@ -92,10 +92,12 @@ TEST_F(BodyPlot, RefusesARunWithNothingToShow) {
   }
 }
 
-TEST(BodyPlotSubject, NamesTheFile) {
-  EXPECT_EQ(body_plot_subject(testing::body_case("jamming")), "pressure");
-  EXPECT_EQ(body_plot_subject(testing::body_case("slump")), "energy");
-  EXPECT_EQ(body_plot_subject(testing::body_case("uniaxial_compression")), "force");
+std::string_view subject_of(const Case& c) { return figure_subject(experiment_of(c).figure(c)); }
+
+TEST(FigureSubject, NamesTheFile) {
+  EXPECT_EQ(subject_of(testing::body_case("jamming")), "pressure");
+  EXPECT_EQ(subject_of(testing::body_case("slump")), "energy");
+  EXPECT_EQ(subject_of(testing::body_case("uniaxial_compression")), "force");
 }
 
 }  // namespace

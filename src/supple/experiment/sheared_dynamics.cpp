@@ -1,0 +1,50 @@
+#include <cmath>
+
+#include "supple/core/expression.hpp"
+#include "supple/experiment/body_rheology.hpp"
+#include "supple/experiment/sheared_bodies.hpp"
+#include "supple/experiment/suspension.hpp"
+
+namespace supple {
+
+namespace {
+
+std::vector<Derived> derived_dynamics(const Case& c, Packing& packing, const BodyLaws& laws) {
+  std::vector<Derived> all = derived_packing(packing);
+  for (Derived& d : derived_laws(laws)) all.push_back(std::move(d));
+  all.push_back({{"time_step", "", "time step"}, sheared_body_step(c, laws, packing)});
+  all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
+  return all;
+}
+
+}  // namespace
+
+std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(set_apart));
+  refuse_rigid(packing);
+  const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
+  return derived_dynamics(c, packing, body_laws(c, packing));
+}
+
+void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
+  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(at_random(recorder)));
+  refuse_rigid(packing);
+  const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
+  const BodyLaws laws = body_laws(c, packing);
+  const double dt = sheared_body_step(c, laws, packing);
+  start_clock(packing.system, c);
+  const double begin = packing.system.time;
+  add_rheology(laws, packing);
+  begin_packing(packing, derived_dynamics(c, packing, laws), recorder);
+  link_packing(c, packing, recorder);
+  ShearedBodies bodies(c, initial, packing, recorder);
+  bodies.move("dynamics", c.time.steps, dt,
+              std::pow(c.shear.cool_factor, dt * c.shear.relative_frequency / laws.tau), c.output.frames,
+              [&](std::int64_t i) {
+                const double t = begin + static_cast<double>(i) * dt;
+                return ShearRates{rate(t), i < c.time.steps ? rate(t + 0.5 * dt) : rate(t)};
+              });
+  bodies.finish();
+}
+
+}  // namespace supple
