@@ -29,6 +29,7 @@ Case small_heap(const std::string& contact = "rough") {
   c.slump.spread_time = 200;
   c.output.frames = 4;
   resolve_family(c);
+  experiment_of(c).complete(c);
   return c;
 }
 

@@ -96,7 +96,7 @@ TEST(SoundStates, DynamicsStopsWhereARingCrossesItself) {
   start.system.state.velocity[0] = -3 * (start.system.state.position[0] - start.system.state.position[6]);
   MemoryRecorder recorder;
   try {
-    run_body_dynamics(c, &start, recorder);
+    run(c, &start, recorder);
     FAIL() << "it went on";
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::numerics) << e.what();

@@ -55,6 +55,7 @@ inline Case body_case(const std::string& experiment) {
   Case c;
   c.general.experiment = experiment;
   c.general.physics = "deformable";
+  c.time.steps = 2;
   return c;
 }
 
