@@ -155,8 +155,8 @@ void add_run_commands(CLI::App& app, Options& o) {
   snapshot
       ->add_option(
           "--color", o.color,
-          "Number that colours deformable particles: pressure, shape_parameter, contacts, ... (default: "
-          "id, those that touch differ)")
+          "Number that colours particles: pressure, shape_parameter, contacts, ..., of discs stress_xx, ... "
+          "(default: id, those that touch differ)")
       ->type_name("NAME");
   add_output(*snapshot, o,
              "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");

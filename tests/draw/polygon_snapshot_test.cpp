@@ -1,4 +1,4 @@
-#include "supple/draw/page/polygon_snapshot.hpp"
+#include "supple/draw/page/snapshot.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using testing::content_of;
 using testing::count_of;
 
 /// A square, a disc and a triangle that touches both, away from the boundary.
-PolygonScene middle_scene() {
-  PolygonScene scene;
+Scene middle_scene() {
+  Scene scene;
   scene.box.length = {10, 10};
   scene.begin = {0, 4, 5, 8};
   scene.position = {{3, 3}, {5, 3}, {5, 5}, {3, 5}, {8, 4}, {5.7, 3}, {6.8, 4}, {5.7, 5}};
@@ -35,8 +35,8 @@ constexpr const char* wall_color = "60%,60%,60%";
 
 class PolygonSnapshot : public testing::TemporaryFolder {
  protected:
-  std::string svg(const PolygonScene& scene, const PolygonSnapshotOptions& options = {}) {
-    draw_polygon_snapshot(in_folder("a.svg"), scene, options);
+  std::string svg(const Scene& scene, const SnapshotOptions& options = {}) {
+    draw_snapshot(in_folder("a.svg"), scene, options);
     return content_of(in_folder("a.svg"));
   }
   static int fills(const std::string& svg, const std::string& rgb) {
@@ -48,8 +48,8 @@ class PolygonSnapshot : public testing::TemporaryFolder {
 };
 
 TEST_F(PolygonSnapshot, FillsThePolygonAndItsVertices) {
-  PolygonSnapshotOptions options;
-  options.color =
+  SnapshotOptions options;
+  options.scalar =
       BodyScalar{"shape", "", {0, 1, std::numeric_limits<double>::quiet_NaN()}, std::pair(0.0, 2.0)};
   const std::string picture = svg(middle_scene(), options);
   EXPECT_EQ(fills(picture, "99.607843%,98.431373%,91.372549%"),
@@ -70,14 +70,14 @@ TEST_F(PolygonSnapshot, ColoursBodiesThatTouchDifferentlyWhereThereIsNoNumber) {
 }
 
 TEST_F(PolygonSnapshot, DrawsEachContactAndExplainsTheirWidth) {
-  PolygonScene scene = middle_scene();
+  Scene scene = middle_scene();
   EXPECT_EQ(strokes(svg(scene), contact_color), 3 + 2);
   scene.contacts.clear();
   EXPECT_EQ(strokes(svg(scene), contact_color), 0);
 }
 
 TEST_F(PolygonSnapshot, MakesContactsAsWideAsTheirForce) {
-  PolygonSnapshotOptions options;
+  SnapshotOptions options;
   options.full_force = 0.4;
   const std::string picture = svg(middle_scene(), options);
   const auto widths = [&] {
@@ -96,21 +96,20 @@ TEST_F(PolygonSnapshot, MakesContactsAsWideAsTheirForce) {
 }
 
 TEST_F(PolygonSnapshot, DrawsTheWallsOfACellThatIsNotPeriodic) {
-  PolygonScene scene = middle_scene();
+  Scene scene = middle_scene();
   EXPECT_EQ(fills(svg(scene), wall_color), 0);
   scene.box.periodic = {true, false};
   EXPECT_EQ(fills(svg(scene), wall_color), 2);
   scene.box.periodic = {false, false};
   EXPECT_EQ(fills(svg(scene), wall_color), 4);
-  PolygonSnapshotOptions open;
-  open.walls = Walls{.bottom = true};
-  const std::string picture = svg(scene, open);
+  scene.walls = Walls{.bottom = true};
+  const std::string picture = svg(scene);
   EXPECT_EQ(fills(picture, wall_color), 1);
   EXPECT_EQ(count_of(picture, "stroke-dasharray"), 3);  // open sides
 }
 
 TEST_F(PolygonSnapshot, RepeatsABodyAcrossTheBoundary) {
-  PolygonScene scene = middle_scene();
+  Scene scene = middle_scene();
   scene.contacts.clear();
   const std::string inside = svg(scene);
   for (Vec2& x : scene.position) x[0] -= 3.2;  // the square sticks out to the left
@@ -121,32 +120,31 @@ TEST_F(PolygonSnapshot, RepeatsABodyAcrossTheBoundary) {
 }
 
 TEST_F(PolygonSnapshot, SmoothBodiesHaveNoDiscsOnTheirVertices) {
-  PolygonScene scene = middle_scene();
+  Scene scene = middle_scene();
   scene.contacts.clear();
   const std::string first = "46.666667%,66.666667%,86.666667%";
-  PolygonSnapshotOptions smooth;
-  smooth.boundary = Boundary::smooth;
   EXPECT_EQ(fills(svg(scene), first), 1 + 4);
-  EXPECT_EQ(fills(svg(scene, smooth), first), 1);
+  scene.boundary = Boundary::smooth;
+  EXPECT_EQ(fills(svg(scene), first), 1);
 }
 
 TEST_F(PolygonSnapshot, WritesEveryFormat) {
-  PolygonSnapshotOptions options;
-  options.color = BodyScalar{"pressure P", "", {1e-7, 0, 2.5e-7}};
+  SnapshotOptions options;
+  options.scalar = BodyScalar{"pressure P", "", {1e-7, 0, 2.5e-7}};
   for (const char* name : {"a.png", "a.jpg", "a.svg", "a.pdf", "a.ps"}) {
-    draw_polygon_snapshot(in_folder(name), testing::sample_scene(), options);
+    draw_snapshot(in_folder(name), testing::sample_scene(), options);
     EXPECT_GT(content_of(in_folder(name)).size(), 1000u) << name;
   }
 }
 
 TEST_F(PolygonSnapshot, IsTheSamePageForEveryStrainThatRoomIsLeftFor) {
-  PolygonScene scene = middle_scene();
-  PolygonSnapshotOptions options;
+  Scene scene = middle_scene();
+  SnapshotOptions options;
   options.strain_room = 0.2;
   std::vector<std::string> sizes;
   for (const double strain : {0.0, 0.2, -0.2}) {
     scene.box.strain = strain;
-    draw_polygon_snapshot(in_folder("a.png"), scene, options);
+    draw_snapshot(in_folder("a.png"), scene, options);
     sizes.push_back(content_of(in_folder("a.png")).substr(16, 8));
   }
   EXPECT_EQ(sizes[0], sizes[1]);
@@ -154,16 +152,16 @@ TEST_F(PolygonSnapshot, IsTheSamePageForEveryStrainThatRoomIsLeftFor) {
 }
 
 TEST_F(PolygonSnapshot, DrawsAnEmptyCell) {
-  PolygonScene scene;
+  Scene scene;
   scene.box.length = {3, 2};
   EXPECT_NO_THROW(svg(scene));
 }
 
 TEST_F(PolygonSnapshot, RefusesNumbersThatDoNotFit) {
-  PolygonSnapshotOptions options;
-  options.color = BodyScalar{"shape", "", {1, 2}};
+  SnapshotOptions options;
+  options.scalar = BodyScalar{"shape", "", {1, 2}};
   EXPECT_THROW(svg(middle_scene(), options), Error);
-  options.color = BodyScalar{"shape", "", {1, 2, 3}, std::pair(1.0, 1.0)};
+  options.scalar = BodyScalar{"shape", "", {1, 2, 3}, std::pair(1.0, 1.0)};
   EXPECT_THROW(svg(middle_scene(), options), Error);
   EXPECT_EQ(files(), 0u);
 }

@@ -4,7 +4,6 @@
 #include "supple/core/utf8.hpp"
 #include "supple/io/export/csv.hpp"
 #include "supple/io/export/trajectory.hpp"
-#include "supple/io/run/body_pictures.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "supple/io/run/run_merge.hpp"
 #include "supple/io/run/run_pictures.hpp"
@@ -48,19 +47,8 @@ class DamagedRun : public ContinuedRun {
   }
 
   void use_frames(const std::string& what) const {
-    const bool bodies = [&] {
-      try {
-        return !RunFile(damaged()).info().body_begin.empty();
-      } catch (const Error&) {
-        return false;
-      }
-    }();
     const std::string picture = in_folder("picture.svg");
-    if (bodies)
-      expect_an_error_or_none(what + ", picture",
-                              [&] { draw_body_snapshot(picture, RunFile(damaged()), 1); });
-    else
-      expect_an_error_or_none(what + ", picture", [&] { draw_run_snapshot(picture, RunFile(damaged()), 1); });
+    expect_an_error_or_none(what + ", picture", [&] { draw_frame(picture, RunFile(damaged()), 1); });
     expect_an_error_or_none(what + ", xyz",
                             [&] { export_xyz(RunFile(damaged()), in_folder("a.xyz"), Existing::replace); });
     expect_an_error_or_none(what + ", vtp", [&] {

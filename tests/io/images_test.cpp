@@ -1,8 +1,8 @@
-#include "supple/io/run/images.hpp"
-
 #include <gtest/gtest.h>
 
 #include "supple/core/error.hpp"
+#include "supple/io/run/file_recorder.hpp"
+#include "supple/io/run/run_pictures.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 namespace supple {
@@ -10,62 +10,72 @@ namespace {
 
 using testing::content_of;
 
-RunInfo two_discs() {
-  RunInfo info;
-  info.box.length = {1e-4, 1e-4};
-  info.radius = {1e-5, 1e-5};
-  info.particle = {0, 0};
-  return info;
-}
+class ImagesTest : public testing::TemporaryFolder {
+ protected:
+  /// Two discs, in a cell whose strain grows by so much with each frame.
+  RunFile two_discs(int frames, double strain = 0) {
+    RunInfo info;
+    info.box.length = {1e-4, 1e-4};
+    info.radius = {1e-5, 1e-5};
+    info.mass = info.inertia = {1, 1};
+    info.particle = {0, 0};
+    FileRecorder recorder(in_folder("run.h5"), Case{}, "", Existing::replace);
+    recorder.begin(info);
+    for (int k = 0; k < frames; ++k) {
+      Frame frame;
+      frame.step = k;
+      frame.time = k;
+      frame.strain = strain * k;
+      frame.position = {{3e-5, 5e-5}, {4.5e-5, 5e-5}};
+      frame.velocity = frame.force = {{0, 0}, {0, 0}};
+      frame.angle = frame.spin = frame.torque = {0, 0};
+      frame.mobility.assign(2, Mobility::free);
+      recorder.frame(frame);
+    }
+    recorder.finish("complete");
+    return RunFile(in_folder("run.h5"));
+  }
+  std::string image(int k, const std::string& ending) {
+    return content_of(in_folder("image000000" + std::to_string(k) + "." + ending));
+  }
+};
 
-/// Strain grows with the frame, and asked-for frames are noted.
-FrameSource source(std::int64_t count, std::vector<std::int64_t>& asked) {
-  return {count, [&asked](std::int64_t k) {
-            asked.push_back(k);
-            Frame frame;
-            frame.strain = 0.05 * static_cast<double>(k);
-            frame.position = {{3e-5, 5e-5}, {4.5e-5, 5e-5}};
-            frame.angle = {0, 0};
-            frame.mobility.assign(2, Mobility::free);
-            return frame;
-          }};
-}
-
-class ImagesTest : public testing::TemporaryFolder {};
-
-TEST_F(ImagesTest, AreNumberedEvenlySpacedAndOfOneSize) {
-  std::vector<std::int64_t> asked;
+TEST_F(ImagesTest, AreNumberedAndOfOneSize) {
   std::int64_t heard = 0;
-  SnapshotOptions small;
-  small.dots_per_inch = 40;
-  EXPECT_EQ(draw_images(folder(), "png", two_discs(), source(9, asked), 3, small,
+  EXPECT_EQ(draw_frames(folder(), "png", two_discs(9, 0.05), 3, "",
                         [&](std::int64_t done, std::int64_t total) {
                           heard = done;
                           EXPECT_EQ(total, 3);
                         }),
             3);
   EXPECT_EQ(heard, 3);
-  EXPECT_EQ(files(), 3u);
-  asked.erase(asked.begin(), asked.begin() + 3);  // the first round only looks for the common scale
-  EXPECT_EQ(asked, (std::vector<std::int64_t>{0, 4, 8}));
-  const auto size = [&](const char* name) { return content_of(in_folder(name)).substr(16, 8); };
-  EXPECT_EQ(size("image0000000.png"), size("image0000001.png"));
-  EXPECT_EQ(size("image0000000.png"), size("image0000002.png"));
+  EXPECT_EQ(files(), 1u + 3u);
+  const auto size = [&](int k) { return image(k, "png").substr(16, 8); };
+  EXPECT_EQ(size(0), size(1));
+  EXPECT_EQ(size(0), size(2));
+}
+
+TEST_F(ImagesTest, AreEvenlySpaced) {
+  const RunFile run = two_discs(9);
+  draw_frames(folder(), "png", run, 3);
+  for (const int k : {0, 1, 2})
+    for (const int frame : {0, 4, 8}) {
+      draw_frame(in_folder("alone.png"), run, frame);
+      EXPECT_EQ(image(k, "png") == content_of(in_folder("alone.png")), frame == 4 * k) << k << " " << frame;
+    }
 }
 
 TEST_F(ImagesTest, DrawEveryFrameWhereThereAreFewer) {
-  std::vector<std::int64_t> asked;
-  EXPECT_EQ(draw_images(folder(), "svg", two_discs(), source(2, asked), 200), 2);
-  EXPECT_EQ(files(), 2u);
+  EXPECT_EQ(draw_frames(folder(), "svg", two_discs(2), 200), 2);
+  EXPECT_EQ(files(), 1u + 2u);
 }
 
-TEST(Images, RefuseUnknownEndingsRunsWithoutFramesAndMissingFolders) {
-  std::vector<std::int64_t> asked;
-  EXPECT_THROW(draw_images("/tmp", "gif", two_discs(), source(2, asked), 2), Error);
-  EXPECT_THROW(draw_images("/tmp", "png", two_discs(), source(0, asked), 2), Error);
-  EXPECT_TRUE(asked.empty());
+TEST_F(ImagesTest, RefuseUnknownEndingsRunsWithoutFramesAndMissingFolders) {
+  EXPECT_THROW(draw_frames(folder(), "gif", two_discs(2), 2), Error);
+  EXPECT_THROW(draw_frames(folder(), "png", two_discs(0), 2), Error);
+  EXPECT_EQ(files(), 1u);
   try {
-    draw_images(::testing::TempDir() + "supple_no_such_folder", "png", two_discs(), source(2, asked), 2);
+    draw_frames(in_folder("no_such_folder"), "png", two_discs(2), 2);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::file);

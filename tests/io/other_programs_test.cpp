@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "supple/draw/scene/run_scene.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "tests/app/command.hpp"
 
@@ -59,7 +59,7 @@ TEST_F(OtherPrograms, AseReadsExtendedXyz) {
     ASSERT_EQ(static_cast<std::int64_t>(frames.size()), file.frames());
     for (std::int64_t k = 0; k < file.frames(); ++k) {
       const Frame frame = file.frame(k);
-      const PolygonScene scene = scene_of(info, frame);
+      const Scene scene = scene_of(info, frame);
       const Vec2 x = frame.position[0] + placement_shifts(scene, Placement::in_cell)[0];
       const Json& f = frames[static_cast<std::size_t>(k)];
       EXPECT_EQ(f[0], info.radius.size());

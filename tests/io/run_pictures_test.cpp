@@ -39,11 +39,30 @@ TEST_F(RunPicturesTest, OscillatoryRunGivesLoopSnapshotAndImages) {
   const RunFile run = make_run("oscillatory_shear");
   draw_run_plot(in_folder("plot.svg"), run);
   EXPECT_EQ(count_of(content_of(in_folder("plot.svg")), last_cycle), 2);  // the loop and its legend
-  draw_run_snapshot(in_folder("cell.pdf"), run, run.frames() - 1);
-  EXPECT_THROW(draw_run_snapshot(in_folder("cell.pdf"), run, run.frames()), Error);
+  draw_frame(in_folder("cell.pdf"), run, run.frames() - 1);
+  EXPECT_THROW(draw_frame(in_folder("cell.pdf"), run, run.frames()), Error);
   const std::size_t before = files();
-  EXPECT_EQ(draw_run_images(folder(), "svg", run, 3), 3);
+  EXPECT_EQ(draw_frames(folder(), "svg", run, 3), 3);
   EXPECT_EQ(files(), before + 3);
+}
+
+TEST_F(RunPicturesTest, DiscsHaveTheColoursOfTheNumbersOfTheirFrames) {
+  const RunFile run = make_run("dynamics", "1000");
+  EXPECT_EQ(run.unit_of_bodies("stress_xx"), "Pa");
+  const auto fills = [&](const std::string& color, const std::string& rgb) {
+    draw_frame(in_folder("a.svg"), run, run.frames() - 1, color);
+    return count_of(content_of(in_folder("a.svg")), "fill:rgb(" + rgb + ")");
+  };
+  const std::string lowest = "99.607843%,98.431373%,91.372549%", single = "86.666667%,86.666667%,86.666667%";
+  EXPECT_GE(fills("stress_xx", lowest), 1);
+  EXPECT_EQ(fills("stress_xx", single), 0);
+  EXPECT_GE(fills("id", single), 12);
+  try {
+    draw_frame(in_folder("a.svg"), run, 0, "shape_parameter");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("choose from 'id', 'stress_xx'"), std::string::npos) << e.what();
+  }
 }
 
 TEST_F(RunPicturesTest, DynamicsGivesStressAgainstTime) {

@@ -2,12 +2,12 @@
 #pragma once
 #include <cmath>
 
-#include "supple/draw/scene/polygon_scene.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 namespace supple::testing {
 
-inline PolygonScene sample_scene() {
-  PolygonScene scene;
+inline Scene sample_scene() {
+  Scene scene;
   scene.box.length = {10, 8};
   scene.time = 1.0 / 3;
   scene.begin = {0, 3, 4, 9};

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/scene/run_scene.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 #include "supple/io/export/vtp.hpp"
 #include "tests/io/body_run.hpp"
 #include "tests/io/count_of.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/draw/canvas/superscript.hpp"
+
 namespace supple {
 
 namespace {
@@ -12,6 +14,10 @@ constexpr double fade = 0.72;           // share of white in it
 constexpr double least_height = 190;    // that the legend needs [pt]
 
 }  // namespace
+
+std::string shown(const Units& units, double in_si, const char* unit, Digits digits) {
+  return units.name == reduced_units().name ? short_number(in_si) : with_unit(in_si, unit, digits);
+}
 
 CellPage::CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room,
                    double dots_per_inch, const Vec2& room)
@@ -31,12 +37,6 @@ Point CellPage::on_page(const Vec2& x) const {
   return {edge + rim_ + 0.5 * lean_ + x[0] * scale_, title_height + rim_ + (room_[gradient] - x[1]) * scale_};
 }
 
-std::vector<Point> CellPage::on_page(const std::vector<Vec2>& points) const {
-  std::vector<Point> out;
-  for (const Vec2& x : points) out.push_back(on_page(x));
-  return out;
-}
-
 /// The cell's corners moved outward.
 std::array<Point, 4> CellPage::moved_out(double along, double across) const {
   const double lean = drawn_strain(box_);
@@ -48,11 +48,10 @@ std::array<Point, 4> CellPage::moved_out(double along, double across) const {
   return corners;
 }
 
-void CellPage::draw_matter(const std::function<void(double, Lies)>& draw, Beyond beyond) {
-  if (!periodic()) return draw(0, Lies::outside);
-  const double out = rim_ / scale_,
-               far = beyond == Beyond::shown ? box_.length[flow] + box_.length[gradient] : 0;
+void CellPage::draw_matter(const std::function<void(double, Lies)>& draw) {
   const bool along = box_.periodic[flow], up = box_.periodic[gradient];
+  if (!along && !up) return draw(0, Lies::outside);
+  const double out = rim_ / scale_, far = box_.length[flow] + box_.length[gradient];
   const std::array<Point, 4> cell = moved_out(along ? 0 : far, up ? 0 : far);
   canvas_.clipped(moved_out(along ? out : far, up ? out : far), ClipTo::inside,
                   [&] { canvas_.clipped(cell, ClipTo::outside, [&] { draw(fade, Lies::inside); }); });
@@ -63,11 +62,12 @@ void CellPage::draw_title(const std::string& title) {
   canvas_.text({edge + rim_, title_height - 3}, title, {.size = 11});
 }
 
-void CellPage::draw_scale_bar(double length, const std::string& label) {
-  const double width = length * scale_, x = edge + rim_;
+void CellPage::draw_scale_bar(const Units& units) {
+  const double in_si = round_below(0.25 * room_[flow] * units.length), x = edge + rim_;
+  const double width = in_si / units.length * scale_;
   const double y = title_height + 2 * rim_ + room_[gradient] * scale_ + 5;
   canvas_.rectangle({x, y}, {x + width, y + 3}, {ink, {}});
-  canvas_.text({x + width + 6, y + 1.5}, label, {.size = 9, .down = Down::middle});
+  canvas_.text({x + width + 6, y + 1.5}, shown(units, in_si, "m"), {.size = 9, .down = Down::middle});
 }
 
 }  // namespace supple

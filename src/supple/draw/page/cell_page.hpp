@@ -6,17 +6,18 @@
 #include <vector>
 
 #include "supple/draw/canvas/canvas.hpp"
+#include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/scene/drawn_cell.hpp"
+#include "supple/model/units.hpp"
 
 namespace supple {
 
-/// What becomes of matter beyond a side that is not periodic, where another direction is.
-enum class Beyond { hidden, shown };
+/// A number in its unit, with an SI prefix, or as it is in runs whose units have no names.
+std::string shown(const Units& units, double in_si, const char* unit, Digits digits = Digits::fewest);
 
 class CellPage {
  public:
   static constexpr double edge = 10, title_height = 20, foot_height = 26, legend_width = 112;  ///< [pt]
-  static constexpr double legend_row = 15, legend_sample = 24;                                 ///< [pt]
 
   /// cell_size: longer side of the unsheared cell [pt]; strain_room: strain of a leaning cell that finds
   /// room; room: lengths of a cell that does, and whose longer side then is cell_size.
@@ -24,8 +25,6 @@ class CellPage {
            double dots_per_inch, const Vec2& room = {});
 
   Canvas& canvas() { return canvas_; }
-  const Box<2>& box() const { return box_; }
-  bool periodic() const { return box_.periodic[0] || box_.periodic[1]; }
   double scale() const { return scale_; }  ///< points for a length of 1
   double rim() const { return rim_; }      ///< width of the surroundings [pt]
   const std::array<Point, 4>& corner() const { return corner_; }
@@ -33,16 +32,15 @@ class CellPage {
   double legend_left() const { return canvas_.width() - legend_width + 2; }
 
   Point on_page(const Vec2& x) const;
-  std::vector<Point> on_page(const std::vector<Vec2>& points) const;
 
   /// Calls draw(share of white, what need not be drawn) for the faded surroundings and for the cell itself,
-  /// each clipped to where it shows. Without a periodic direction everything shows, wherever it lies.
-  void draw_matter(const std::function<void(double whiteness, Lies skipped)>& draw,
-                   Beyond beyond = Beyond::hidden);
+  /// each clipped to where it shows. Along a direction that is not periodic everything shows, wherever it
+  /// lies.
+  void draw_matter(const std::function<void(double whiteness, Lies skipped)>& draw);
 
   void draw_title(const std::string& title);
-  /// length: in the units of the box.
-  void draw_scale_bar(double length, const std::string& label);
+  /// About a quarter of the largest cell that the page holds: the same on all pages of a film.
+  void draw_scale_bar(const Units& units);
 
  private:
   std::array<Point, 4> moved_out(double along, double across) const;

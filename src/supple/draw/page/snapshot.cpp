@@ -3,113 +3,167 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/canvas/canvas.hpp"
+#include "supple/draw/canvas/color_scale.hpp"
 #include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/page/cell_page.hpp"
-#include "supple/draw/scene/cell_scene.hpp"
-#include "supple/draw/scene/contact_style.hpp"
-#include "supple/draw/scene/particle_colors.hpp"
+#include "supple/draw/page/legend.hpp"
+#include "supple/draw/scene/colors_apart.hpp"
+#include "supple/draw/scene/flat_discs.hpp"
+#include "supple/draw/scene/layout.hpp"
+#include "supple/draw/scene/polygon_outline.hpp"
 
 namespace supple {
 
 namespace {
 
-constexpr double legend_row = CellPage::legend_row, legend_sample = CellPage::legend_sample;
+constexpr Color wall_color = hex(0x999999);
+constexpr double arc_step = 0.8;  // [pt]
 
-bool is_held(Mobility m) { return m != Mobility::free; }
-double pair_force(const ContactRow& c) { return std::hypot(c.normal_force, c.tangential_force); }
-bool in_tension(const ContactRow& c) { return c.state == ContactState::permanent && c.normal_force < 0; }
+/// What is filled of a body, at its positions, and the lines about it.
+struct BodyShape {
+  std::vector<Vec2> area;
+  std::vector<std::vector<Vec2>> edge;
+};
+
+/// The parts of a disc's outline that bound its particle.
+std::vector<std::vector<Vec2>> particle_edge(const FlatDisc& disc, std::int32_t body, const Scene& scene) {
+  std::vector<std::vector<Vec2>> pieces;
+  bool goes_on = false;
+  for (std::size_t k = 0; k < disc.outline.size(); ++k) {
+    const std::int32_t other = disc.across[k];
+    const bool is_edge = other < 0 || scene.particle_of(other) != scene.particle_of(body);
+    if (is_edge && !goes_on) pieces.push_back({disc.outline[k]});
+    if (is_edge) pieces.back().push_back(disc.outline[(k + 1) % disc.outline.size()]);
+    goes_on = is_edge;
+  }
+  return pieces;
+}
+
+std::vector<BodyShape> shapes_of(const Scene& scene, double step) {
+  std::vector<BodyShape> shapes;
+  const std::vector<FlatDisc> discs = flatten_discs(scene);
+  for (std::int32_t b = 0; b < scene.bodies(); ++b) {
+    BodyShape& shape = shapes.emplace_back();
+    if (scene.is_disc(b)) {
+      shape = {discs[b].outline, particle_edge(discs[b], b, scene)};
+      continue;
+    }
+    const auto ring = scene.positions_of(b);
+    shape.area.assign(ring.begin(), ring.end());
+    if (scene.boundary == Boundary::rough) shape.edge = body_outline(ring, scene.radii_of(b), step);
+  }
+  return shapes;
+}
+
+/// Mean radius of circles about bodies, and of sites.
+std::pair<double, double> mean_sizes(const Scene& scene) {
+  double bodies = 0, sites = 0;
+  for (std::int32_t b = 0; b < scene.bodies(); ++b) {
+    const auto position = scene.positions_of(b);
+    const auto radius = scene.radii_of(b);
+    const Vec2 centre = scene.centre_of(b);
+    double reach = 0;
+    for (std::size_t i = 0; i < position.size(); ++i)
+      reach = std::max(reach, norm(position[i] - centre) + radius[i]);
+    bodies += reach / scene.bodies();
+  }
+  for (const double r : scene.radius) sites += r / scene.sites();
+  return {bodies, sites};
+}
 
 class SnapshotPage {
  public:
-  SnapshotPage(const std::string& path, const RunInfo& info, const Frame& frame,
-               const SnapshotOptions& options)
-      : info_(info),
-        frame_(frame),
+  SnapshotPage(const std::string& path, const Scene& scene, const SnapshotOptions& options)
+      : scene_(scene),
         options_(options),
-        page_(path, sheared(info.box, frame.strain), options.cell_size, options.strain_room,
-              options.dots_per_inch),
+        page_(path, scene.box, options.cell_size, options.strain_room, options.dots_per_inch, options.room),
         canvas_(page_.canvas()),
-        box_(page_.box()),
-        scene_(lay_out_cell(box_, info.radius, frame, page_.periodic() ? page_.rim() / page_.scale() : 0)),
-        color_(options.color.empty() ? disc_colors(info.particle, scene_) : options.color) {
-    const double mean_radius =
-        info.radius.empty()
-            ? 0
-            : std::accumulate(info.radius.begin(), info.radius.end(), 0.0) / info.radius.size();
-    disc_size_ = mean_radius * page_.scale();
-    outline_ = std::clamp(0.05 * disc_size_, 0.15, 0.9);
-    widest_ = std::clamp(0.21 * disc_size_, 0.5, 6.0);
-    full_force_ = options.full_force > 0 ? options.full_force : strongest_force(info, frame);
+        bodies_(lay_out_bodies(scene, page_.rim() / page_.scale())),
+        contacts_(lay_out_contacts(scene, page_.rim() / page_.scale())),
+        shapes_(shapes_of(scene, arc_step / page_.scale())),
+        body_of_site_(body_of_sites(scene)) {
+    const auto points = [&, sizes = mean_sizes(scene)](double of_body, double of_site) {
+      return std::min(of_body * sizes.first, of_site * sizes.second) * page_.scale();
+    };
+    outline_ = std::clamp(points(0.05, 0.15), 0.15, 0.9);
+    hatching_ = std::max(points(0.25, 1), 1.0);
+    lines_.widest = std::clamp(points(0.21, 0.55), 0.6, 5.0);
+    lines_.full_force = options.full_force > 0 ? options.full_force : strongest_force(scene);
+    choose_colors();
   }
 
   void draw() {
+    draw_walls();
     page_.draw_matter([&](double whiteness, Lies skipped) { draw_matter(whiteness, skipped); });
     draw_cell_edge();
-    draw_title();
-    draw_scale_bar();
+    page_.draw_title(title());
+    page_.draw_scale_bar(scene_.units);
     draw_legend();
     canvas_.finish();
   }
 
  private:
-  template <class Shape>
-  auto on_page(const Shape& shape) const {
-    return page_.on_page(shape);
+  void choose_colors() {
+    color_ = options_.color;
+    if (!options_.scalar && color_.empty()) color_ = colors_apart(scene_);
+    if (!options_.scalar) return;
+    const auto& [label, unit, value, range] = *options_.scalar;
+    scale_ = range ? ColorScale{range->first, range->second} : scale_over(value);
+    color_.clear();
+    for (const double v : value) color_.push_back(scale_.color(v));
   }
 
-  /// Discs and contacts, faded to this share of white, but for those that lie where nothing shows.
+  std::vector<Point> on_page(const std::vector<Vec2>& points, const Vec2& shift) const {
+    std::vector<Point> out;
+    for (const Vec2& x : points) out.push_back(page_.on_page(x + shift));
+    return out;
+  }
+
+  /// Bodies and contacts, faded to this share of white, but for those that lie where nothing shows.
   void draw_matter(double whiteness, Lies skipped) {
     const auto shade = [&](Color c) { return mix(c, white, whiteness); };
-    const auto each_disc = [&](auto&& draw) {
-      for (const SceneDisc& disc : scene_.discs)
-        if (disc.lies != skipped) draw(disc);
-    };
-    each_disc([&](const SceneDisc& disc) {
-      const Color color = color_[disc.site];
-      canvas_.polygon(on_page(disc.outline),
-                      {shade(color), Pen{shade(mix(color, black, 0.16)), 0.5 * outline_}});
-    });
-    each_disc([&](const SceneDisc& disc) { draw_outline(disc, shade(ink)); });
-    each_disc([&](const SceneDisc& disc) {
-      if (is_held(frame_.mobility[disc.site]))
-        hatch(on_page(disc.outline), std::max(0.25 * disc_size_, 1.0), {shade(ink), 0.6 * outline_});
-      if (options_.spin == SpinMarks::shown) draw_spin(disc, shade(ink));
-    });
-    for (const ContactStyle& style : contact_styles)
-      for (const SceneLine& line : scene_.lines)
-        if (line.lies != skipped) draw_contact(line, style, shade);
-  }
-
-  /// The parts of a disc's outline that bound its particle.
-  void draw_outline(const SceneDisc& disc, Color color) {
-    const std::size_t n = disc.outline.size();
-    std::vector<Point> run;
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::int32_t other = disc.across[k];
-      const bool boundary = other < 0 || info_.particle[other] != info_.particle[disc.site];
-      if (boundary) {
-        if (run.empty()) run.push_back(on_page(disc.outline[k]));
-        run.push_back(on_page(disc.outline[(k + 1) % n]));
-      }
-      if (!run.empty() && (!boundary || k + 1 == n)) {
-        canvas_.polyline(run, {color, outline_});
-        run.clear();
-      }
+    for (const DrawnBody& image : bodies_)
+      if (image.lies != skipped) fill(image, whiteness);
+    for (const DrawnBody& image : bodies_) {
+      if (image.lies == skipped) continue;
+      for (const std::vector<Vec2>& piece : shapes_[image.body].edge)
+        canvas_.polyline(on_page(piece, image.shift), {shade(ink), outline_});
     }
+    for (const DrawnBody& image : bodies_)
+      if (image.lies != skipped && scene_.is_held(image.body))
+        hatch(on_page(shapes_[image.body].area, image.shift), hatching_, {shade(ink), 0.6 * outline_});
+    for (const ContactStyle& style : contact_styles)
+      for (const ContactImage& line : contacts_)
+        if (line.lies != skipped && scene_.contacts[line.contact].state == style.state)
+          draw_contact(line, shade(white), shade(style.color));
   }
 
-  /// Lines x + y = const in a convex outline, the same in all discs: held by a plate or fixed.
+  /// A disc as it is; of a polygon the ring, what is about its vertices and, thinly, the line between.
+  void fill(const DrawnBody& image, double whiteness) {
+    const Color own = color_[image.body], color = mix(own, white, whiteness);
+    const std::vector<Point> ring = on_page(shapes_[image.body].area, image.shift);
+    const Pen seam{mix(mix(own, black, 0.2), white, whiteness), 0.6 * outline_};
+    if (scene_.is_disc(image.body)) return canvas_.polygon(ring, {color, seam});
+    const auto radius = scene_.radii_of(image.body);
+    if (scene_.boundary == Boundary::smooth) {  // lines with round corners cover all within the radius
+      const double width = 2 * radius[0] * page_.scale();
+      canvas_.polygon(ring, {{}, Pen{mix(ink, white, whiteness), width + outline_}});
+      return canvas_.polygon(ring, {color, Pen{color, std::max(width - outline_, 0.0)}});
+    }
+    canvas_.polygon(ring, {color, {}});
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      canvas_.circle(ring[k], radius[k] * page_.scale(), {color, {}});
+    canvas_.polygon(ring, {{}, seam});
+  }
+
+  /// Lines x + y = const in an outline, the same in all bodies.
   void hatch(const std::vector<Point>& outline, double spacing, const Pen& pen) {
     if (outline.empty()) return;
     const auto level = [&](const Point& p) { return (p[0] + p[1]) / spacing; };
-    const auto [low, high] = std::minmax_element(
-        outline.begin(), outline.end(), [&](const Point& p, const Point& q) { return level(p) < level(q); });
+    const auto [low, high] = std::ranges::minmax_element(outline, {}, level);
     for (double line = std::ceil(level(*low)); line < level(*high); ++line) {
       std::vector<Point> ends;
       for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -117,155 +171,108 @@ class SnapshotPage {
         if ((level(a) < line) != (level(b) < line))
           ends.push_back(a + ((line - level(a)) / (level(b) - level(a))) * (b - a));
       }
-      if (ends.size() == 2) canvas_.line(ends[0], ends[1], pen);
+      std::ranges::sort(ends, {}, [](const Point& p) { return p[0]; });
+      for (std::size_t k = 0; k + 1 < ends.size(); k += 2) canvas_.line(ends[k], ends[k + 1], pen);
     }
   }
 
-  void draw_spin(const SceneDisc& disc, Color color) {
-    const double angle = frame_.angle[disc.site], length = 0.6 * info_.radius[disc.site];
-    canvas_.line(on_page(disc.centre), on_page(disc.centre + length * Vec2{std::cos(angle), std::sin(angle)}),
-                 {color, 1.5 * outline_});
-  }
-
-  double force_width(double force) const {
-    const double share = full_force_ > 0 ? std::min(force / full_force_, 1.2) : 0;
-    return std::max(share * widest_, 0.12 * widest_);
-  }
-  Pen contact_pen(const ContactStyle& style, double force, bool tension) const {
-    Pen pen{style.color, force_width(force)};
-    if (tension) pen.dash = {1.2 * widest_, 0.7 * widest_};
-    return pen;
-  }
-  template <class Shade>
-  void draw_contact(const SceneLine& line, const ContactStyle& style, Shade shade) {
-    const ContactRow& contact = frame_.contacts[line.contact];
-    if (contact.state != style.state) return;
-    Pen pen = contact_pen(style, pair_force(contact) * info_.units.force(), in_tension(contact));
-    const Point from = on_page(line.from), to = on_page(line.to);
-    if (style.state != ContactState::permanent)
-      canvas_.line(from, to, {shade(white), pen.width + 1.2 * outline_});
-    pen.color = shade(pen.color);
+  /// But for crosslinks within a particle, contacts stand out by a halo.
+  void draw_contact(const ContactImage& line, Color halo, Color color) {
+    const SceneContact& contact = scene_.contacts[line.contact];
+    const Point from = page_.on_page(line.from), to = page_.on_page(line.to);
+    const Pen pen = lines_.pen(color, contact.force * scene_.units.force(), contact.tension);
+    const auto particle = [&](std::int32_t site) { return scene_.particle_of(body_of_site_[site]); };
+    if (contact.state != ContactState::permanent || particle(contact.first) != particle(contact.second))
+      canvas_.line(from, to, {halo, pen.width + 1.2 * outline_});
     canvas_.line(from, to, pen);
   }
 
-  void draw_cell_edge() {
-    const std::array<Point, 4>& corner = page_.corner();
-    canvas_.polygon(corner, {{}, Pen{ink, 0.8}});
-    const auto holds = [&](Mobility plate) {
-      return std::find(frame_.mobility.begin(), frame_.mobility.end(), plate) != frame_.mobility.end();
+  Walls walls() const {
+    const bool sides = !scene_.box.periodic[flow], ends = !scene_.box.periodic[gradient];
+    return scene_.walls.value_or(Walls{sides, sides, ends, ends});
+  }
+  void draw_walls() {
+    const Walls solid = walls();
+    const double band = 0.5 * page_.rim();
+    const double left = solid.left ? band : 0, right = solid.right ? band : 0;
+    const double top = solid.top ? band : 0, bottom = solid.bottom ? band : 0;
+    const Point low{page_.corner()[3][0], page_.corner()[2][1]}, high = page_.corner()[1];  // y downward
+    const auto wall = [&](bool wanted, Point a, Point b) {
+      if (wanted) canvas_.rectangle(a, b, {wall_color, {}});
     };
-    if (holds(Mobility::lower_plate)) canvas_.line(corner[0], corner[1], {ink, 3});
-    if (holds(Mobility::upper_plate)) canvas_.line(corner[3], corner[2], {ink, 3});
+    wall(solid.left, {low[0] - band, low[1] - top}, {low[0], high[1] + bottom});
+    wall(solid.right, {high[0], low[1] - top}, {high[0] + band, high[1] + bottom});
+    wall(solid.bottom, {low[0] - left, high[1]}, {high[0] + right, high[1] + band});
+    wall(solid.top, {low[0] - left, low[1] - band}, {high[0] + right, low[1]});
   }
 
-  void draw_title() {
-    std::string title = options_.title;
-    if (title.empty()) {
-      title = fmt::format("t = {}     \u03b3 = {}\u00a0%", with_unit(frame_.time * info_.units.time, "s"),
-                          tick_label(100 * frame_.strain, 0.1));
-      if (std::abs(drawn_strain(box_) - box_.strain) > 1e-9)
-        title += fmt::format("     (drawn at the equivalent {}\u00a0%)",
-                             tick_label(100 * drawn_strain(box_), 0.1));
+  /// Plates are thick; open sides, neither periodic nor solid, are dotted.
+  void draw_cell_edge() {
+    const Walls solid = walls();
+    const std::array<Point, 4>& corner = page_.corner();
+    const auto side = [&](int k, int direction, bool is_wall, Mobility plate = Mobility::free) {
+      const bool is_plated = plate != Mobility::free && std::ranges::count(scene_.mobility, plate) > 0;
+      const Pen line{ink, is_plated ? 3 : 0.8}, open{gray, 0.6, {2, 3}};
+      canvas_.line(corner[k], corner[(k + 1) % 4], scene_.box.periodic[direction] || is_wall ? line : open);
+    };
+    side(0, gradient, solid.bottom, Mobility::lower_plate);
+    side(1, flow, solid.right);
+    side(2, gradient, solid.top, Mobility::upper_plate);
+    side(3, flow, solid.left);
+  }
+
+  std::string title() const {
+    if (!options_.title.empty()) return options_.title;
+    const double strain = scene_.box.strain, drawn = drawn_strain(scene_.box), time = scene_.time;
+    const bool passes = time != 0 || scene_.units.name != reduced_units().name;
+    std::string text;
+    if (passes) text += "t = " + shown(scene_.units, time * scene_.units.time, "s", Digits::three) + "     ";
+    if (strain != 0 || (passes && scene_.box.periodic[flow]))
+      text += fmt::format("\u03b3 = {}\u00a0%", tick_label(100 * strain, 0.1));
+    if (std::abs(drawn - strain) > 1e-9)
+      text += fmt::format("     (drawn at the equivalent {}\u00a0%)", tick_label(100 * drawn, 0.1));
+    return text;
+  }
+
+  void draw_legend() {
+    Legend legend(canvas_, page_.legend_left(), page_.top());
+    if (options_.scalar) {
+      const double height = std::clamp(0.45 * scene_.box.length[gradient] * page_.scale(), 80.0, 160.0);
+      legend.color_bar(*options_.scalar, scale_, height);
+    } else {
+      legend.particles(scene_);
     }
-    page_.draw_title(title);
+    legend.held(scene_, [&](const std::vector<Point>& ring) { hatch(ring, 3, {ink, 0.5}); });
+    legend.contacts(scene_, lines_);
   }
 
-  void draw_scale_bar() {
-    const double length = round_below(0.25 * box_.length[flow] * info_.units.length);
-    page_.draw_scale_bar(length / info_.units.length, with_unit(length, "m", Digits::fewest));
-  }
-
-  void draw_legend();
-  void legend_discs(double x, double& y);
-  void legend_contacts(double x, double& y);
-
-  const RunInfo& info_;
-  const Frame& frame_;
+  const Scene& scene_;
   const SnapshotOptions& options_;
   CellPage page_;
   Canvas& canvas_;
-  const Box<2>& box_;
-  CellScene scene_;
+  std::vector<DrawnBody> bodies_;
+  std::vector<ContactImage> contacts_;
+  std::vector<BodyShape> shapes_;
+  std::vector<std::int32_t> body_of_site_;
   std::vector<Color> color_;
-  double disc_size_, outline_, widest_, full_force_;
+  ColorScale scale_;
+  ContactLines lines_;
+  double outline_, hatching_;
 };
-
-void SnapshotPage::legend_discs(double x, double& y) {
-  const auto row = [&](const std::string& name, std::initializer_list<Color> colors, bool hatched) {
-    double at = x + 5;
-    for (const Color& color : colors) {
-      canvas_.circle({at, y}, 4.5, {color, Pen{ink, 0.5}});
-      at += 7;
-    }
-    if (hatched) {
-      std::vector<Point> ring;
-      for (int k = 0; k < 24; ++k)
-        ring.push_back(Point{x + 5 + 4.5 * std::cos(k * 0.2618), y + 4.5 * std::sin(k * 0.2618)});
-      hatch(ring, 3, {ink, 0.5});
-    }
-    canvas_.text({x + legend_sample + 5, y}, name, {.size = 8, .down = Down::middle});
-    y += legend_row;
-  };
-  std::vector<int> size(info_.particle.size(), 0);
-  for (const std::int32_t p : info_.particle) ++size[static_cast<std::size_t>(p)];
-  const auto has = [&](auto&& of_size) { return std::any_of(size.begin(), size.end(), of_size); };
-  if (has([](int n) { return n > 1; }))
-    row("particles", {area_palette[0], area_palette[1], area_palette[2]}, false);
-  if (has([](int n) { return n == 1; })) row("single discs", {pale_gray}, false);
-  if (std::any_of(frame_.mobility.begin(), frame_.mobility.end(), is_held))
-    row("held by plate", {white}, true);
-}
-
-void SnapshotPage::legend_contacts(double x, double& y) {
-  const auto row = [&](const std::string& name, const Pen& pen) {
-    canvas_.line({x, y}, {x + legend_sample, y}, pen);
-    canvas_.text({x + legend_sample + 5, y}, name, {.size = 8, .down = Down::middle});
-    y += legend_row;
-  };
-  const double shown = full_force_ > 0 ? round_below(full_force_) : 0;
-  for (const ContactStyle& style : contact_styles) {
-    const auto is_drawn = [&](bool tension) {
-      return std::any_of(frame_.contacts.begin(), frame_.contacts.end(), [&](const ContactRow& c) {
-        return c.state == style.state && in_tension(c) == tension;
-      });
-    };
-    if (is_drawn(false)) row(style.name, contact_pen(style, 0.5 * shown, false));
-    if (is_drawn(true)) row(std::string(style.name) + ", tension", contact_pen(style, 0.5 * shown, true));
-  }
-  if (shown <= 0) return;
-  y += 0.3 * legend_row;
-  canvas_.text({x, y}, "line width: force", {.size = 8, .down = Down::middle});
-  y += legend_row;
-  row(with_unit(shown, "N/m", Digits::fewest), {gray, force_width(shown)});
-  row(with_unit(0.5 * shown, "N/m", Digits::fewest), {gray, force_width(0.5 * shown)});
-}
-
-void SnapshotPage::draw_legend() {
-  const double x = page_.legend_left();
-  double y = page_.top() + 6;
-  legend_discs(x, y);
-  y += 0.5 * legend_row;
-  legend_contacts(x, y);
-}
 
 }  // namespace
 
-double strongest_force(const RunInfo& info, const Frame& frame) {
-  std::vector<double> force;
-  for (const ContactRow& c : frame.contacts) force.push_back(pair_force(c));
-  if (force.empty()) return 0;
-  const auto at = force.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(force.size() - 1));
-  std::nth_element(force.begin(), at, force.end());
-  return *at * info.units.force();
-}
-
-void draw_snapshot(const std::string& path, const RunInfo& info, const Frame& frame,
-                   const SnapshotOptions& options) {
-  const std::size_t n = info.radius.size();
-  if (info.particle.size() != n || frame.position.size() != n || frame.angle.size() != n ||
-      frame.mobility.size() != n || (!options.color.empty() && options.color.size() != n))
-    throw input_error("cannot draw '" + path + "'", "its run and frame differ in their number of discs");
-  SnapshotPage(path, info, frame, options).draw();
+void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options) {
+  check_scene(scene, path);
+  const std::string what = "cannot draw '" + path + "'";
+  const auto bodies = static_cast<std::size_t>(scene.bodies());
+  const std::size_t given = options.scalar ? options.scalar->value.size() : options.color.size();
+  if (given != bodies && (options.scalar || given > 0))
+    throw input_error(what, fmt::format("{} numbers or colours for {} bodies", given, bodies));
+  if (options.scalar && options.scalar->range &&
+      !(options.scalar->range->first < options.scalar->range->second))
+    throw input_error(what, "the range of its colours is empty");
+  SnapshotPage(path, scene, options).draw();
 }
 
 }  // namespace supple

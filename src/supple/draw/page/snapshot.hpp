@@ -1,32 +1,37 @@
 /// Pictures of the cell.
 #pragma once
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "supple/draw/canvas/color.hpp"
-#include "supple/experiment/recorder.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 namespace supple {
 
-enum class SpinMarks { hidden, shown };
-
-struct SnapshotOptions {
-  double cell_size = 340;      ///< longer side of the unsheared cell [pt]
-  double dots_per_inch = 200;  ///< png and jpg
-  SpinMarks spin = SpinMarks::hidden;
-  double strain_room = 0;  ///< leave room for a cell leaning by this strain: equal pages for a film
-  double full_force = 0;   ///< force of the widest line [N/m]; 0: that of the strongest contacts of the frame
-  std::vector<Color> color = {};  ///< of each disc; empty: by particle, neighbours apart
-  std::string title = {};         ///< empty: time and strain
+/// A number of each body, shown as its colour. What is not finite is grey.
+struct BodyScalar {
+  std::string label, unit;                              ///< at the colour bar; unit empty: dimensionless
+  std::vector<double> value;                            ///< of each body
+  std::optional<std::pair<double, double>> range = {};  ///< of the colours; empty: that of the values
 };
 
-/// Draws one frame: discs by crosslinked particle, flattened where they overlap, in the sheared cell with its
-/// faded surroundings; contacts by state, as wide as their force; plate discs hatched; scale bar; legend. The
-/// ending of `path` chooses png, jpg, svg, pdf or ps. Throws input and file errors.
-void draw_snapshot(const std::string& path, const RunInfo& info, const Frame& frame,
-                   const SnapshotOptions& options = {});
+struct SnapshotOptions {
+  std::optional<BodyScalar> scalar = {};  ///< chooses the colours where it is given
+  std::vector<Color> color = {};          ///< of each body; empty: neighbours apart
+  std::string title = {};                 ///< empty: time and strain, where time passes
+  double full_force = 0;                  ///< of the widest line [as strongest_force]; 0: that of the scene
+  double cell_size = 340;                 ///< longer side of the unsheared cell [pt]
+  double dots_per_inch = 200;             ///< png and jpg
+  double strain_room = 0;  ///< leave room for a cell leaning by this strain: equal pages for a film
+  Vec2 room = {};          ///< leave room for a cell of these lengths, and take its scale: likewise
+};
 
-/// Force of the widest line [N/m]: the 99th percentile over the contacts of a frame; 0 without contacts.
-double strongest_force(const RunInfo& info, const Frame& frame);
+/// Draws one instant: discs flattened where they overlap, polygons with the discs on their vertices or with a
+/// smooth boundary, in the sheared cell with its faded surroundings; what is held is hatched; contacts by
+/// state, as wide as their force; walls and plates; scale bar; legend. The ending of `path` chooses png, jpg,
+/// svg, pdf or ps. Throws input and file errors.
+void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options = {});
 
 }  // namespace supple

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace supple {
 
@@ -11,13 +12,11 @@ double drawn_strain(const Box<2>& box) {
   return box.strain - repeat * std::round(box.strain / repeat);
 }
 
-Box<2> sheared(Box<2> box, double strain) {
-  box.strain = strain;
-  return box;
-}
-
 namespace {
-Lattice<2> drawn_lattice(const Box<2>& box) { return sheared(box, drawn_strain(box)).lattice(); }
+Lattice<2> drawn_lattice(Box<2> box) {
+  box.strain = drawn_strain(box);
+  return box.lattice();
+}
 }  // namespace
 
 std::array<Vec2, 4> cell_corners(const Box<2>& box) {
@@ -25,21 +24,19 @@ std::array<Vec2, 4> cell_corners(const Box<2>& box) {
   return {{{-lean, 0}, {lx - lean, 0}, {lx + lean, ly}, {lean, ly}}};
 }
 
-bool comes_near(const std::array<Vec2, 4>& corner, const Vec2& x, double reach) {
-  for (int k = 0; k < 4; ++k) {
-    const Vec2 edge = corner[(k + 1) % 4] - corner[k];
-    if (cross(edge, x - corner[k]) < -reach * norm(edge)) return false;
-  }
-  return true;
-}
-
-Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points) {
+Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points, std::span<const double> radius,
+             const Vec2& shift, double margin) {
   bool inside = true;
   for (int k = 0; k < 4; ++k) {
-    const Vec2 edge = corner[(k + 1) % 4] - corner[k];
-    const auto beyond = [&](const Vec2& x) { return cross(edge, x - corner[k]) < 0; };
-    if (std::all_of(points.begin(), points.end(), beyond)) return Lies::outside;
-    inside = inside && std::none_of(points.begin(), points.end(), beyond);
+    const Vec2 edge = corner[(k + 1) % 4] - corner[k], from = corner[k] - shift;
+    double low = std::numeric_limits<double>::max(), high = -low;  // above the edge
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double height = cross(edge, points[i] - from) / norm(edge), r = radius.empty() ? 0 : radius[i];
+      low = std::min(low, height - r);
+      high = std::max(high, height + r);
+    }
+    if (high < -margin) return Lies::outside;
+    inside = inside && low >= -margin;
   }
   return inside ? Lies::inside : Lies::across;
 }

@@ -16,17 +16,13 @@ enum class Lies { inside, across, outside };
 /// lean of equal lattices, within +-Lx/(2 Ly).
 double drawn_strain(const Box<2>& box);
 
-/// The box at this strain.
-Box<2> sheared(Box<2> box, double strain);
-
 /// Corners of the leaning cell, anticlockwise from the lower left.
 std::array<Vec2, 4> cell_corners(const Box<2>& box);
 
-/// Where points lie in a convex quadrilateral whose corners go anticlockwise.
-Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points);
-
-/// Whether a circle (or a point with its surroundings) comes into such a quadrilateral, conservatively.
-bool comes_near(const std::array<Vec2, 4>& corner, const Vec2& x, double reach);
+/// Where something made of points, or of discs of these radii about them, lies when moved by `shift`, with
+/// respect to a convex quadrilateral whose corners go anticlockwise, its sides moved out by `margin`.
+Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points,
+             std::span<const double> radius = {}, const Vec2& shift = {}, double margin = 0);
 
 /// Brings x into the leaning cell by lattice vectors; a point inside keeps its bits.
 Vec2 into_cell(const Box<2>& box, Vec2 x);

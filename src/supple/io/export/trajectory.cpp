@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/scene/run_scene.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 #include "supple/io/export/xyz.hpp"
 
 namespace supple {

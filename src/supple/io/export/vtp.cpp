@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/scene/body_ring.hpp"
+#include "supple/draw/scene/polygon_outline.hpp"
 #include "supple/io/text/number_text.hpp"
 
 namespace supple {
@@ -76,7 +76,7 @@ struct Polygons {
   std::vector<std::int64_t> offset;  ///< one after the last point of each
   std::vector<std::int32_t> body;    ///< of each
 
-  Polygons(const PolygonScene& scene, const std::vector<Vec2>& shift, Cells cells) {
+  Polygons(const Scene& scene, const std::vector<Vec2>& shift, Cells cells) {
     for (std::int32_t b = 0; b < scene.bodies(); ++b) {
       const auto [first, last] = scene.body(b);
       std::vector<Vec2> ring;
@@ -139,7 +139,7 @@ void check_names(const std::vector<SceneArray>& arrays, std::initializer_list<st
                           "rename the array");
 }
 
-void append_point_data(std::string& xml, const PolygonScene& scene, const std::vector<std::int32_t>& site) {
+void append_point_data(std::string& xml, const Scene& scene, const std::vector<std::int32_t>& site) {
   const auto append = [&](const std::string& name, const auto& of_sites) {
     std::remove_cvref_t<decltype(of_sites)> values;
     for (const std::int32_t i : site) values.push_back(of_sites[i]);
@@ -153,7 +153,7 @@ void append_point_data(std::string& xml, const PolygonScene& scene, const std::v
   xml += "</PointData>\n";
 }
 
-void append_cell_data(std::string& xml, const PolygonScene& scene, const std::vector<std::int32_t>& body) {
+void append_cell_data(std::string& xml, const Scene& scene, const std::vector<std::int32_t>& body) {
   std::vector<std::int32_t> sites;
   std::vector<double> radius;
   for (const std::int32_t b : body) {
@@ -176,7 +176,7 @@ void append_cell_data(std::string& xml, const PolygonScene& scene, const std::ve
 }
 
 /// ParaView takes the time from here where there is no collection.
-void append_time(std::string& xml, const PolygonScene& scene) {
+void append_time(std::string& xml, const Scene& scene) {
   const std::string one = " NumberOfTuples=\"1\"";
   xml += "<FieldData>\n";
   append_array(xml, "TimeValue", std::vector<double>{scene.time}, one);
@@ -203,7 +203,7 @@ void write_new(const std::string& path, const std::string& text, Existing existi
 
 }  // namespace
 
-void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing, Placement placement,
+void write_vtp(const std::string& path, const Scene& scene, Existing existing, Placement placement,
                Cells cells) {
   check_scene(scene, path);
   check_names(scene.of_sites, {"site", "radius"}, path);

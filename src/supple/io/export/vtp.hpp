@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "supple/core/new_file.hpp"
-#include "supple/draw/scene/polygon_scene.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 namespace supple {
 
@@ -30,7 +30,7 @@ enum class Cells {
 /// The cell has no place in this format: bodies are whole, put by `placement`; the time stands in the
 /// collection (write_pvd) too. The encoding (inline base64, uncompressed) is the one that both programs read.
 /// Throws an input error where the arrays do not fit together or take one of these names, and file errors.
-void write_vtp(const std::string& path, const PolygonScene& scene, Existing existing = Existing::refuse,
+void write_vtp(const std::string& path, const Scene& scene, Existing existing = Existing::refuse,
                Placement placement = Placement::in_cell, Cells cells = Cells::polygons);
 
 inline constexpr int disc_corners = 32;

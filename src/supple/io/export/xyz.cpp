@@ -15,7 +15,7 @@ namespace {
 /// Programs know velocities by this name.
 std::string column_name(const SceneArray& array) { return array.name == "velocity" ? "velo" : array.name; }
 
-void check_names(const PolygonScene& scene, const std::string& path) {
+void check_names(const Scene& scene, const std::string& path) {
   std::set<std::string> names{"type", "pos", "radius", "id", "molecule"};
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   for (const auto* arrays : {&scene.of_sites, &scene.of_bodies})
@@ -49,7 +49,7 @@ const char* column_type(const SceneArray& array) {
 }
 
 /// disc1, polygon2, ...: bodies of equal radius and number of sites are of one type.
-std::vector<std::string> types_of_bodies(const PolygonScene& scene) {
+std::vector<std::string> types_of_bodies(const Scene& scene) {
   std::vector<std::pair<std::int32_t, double>> sizes;
   std::vector<std::string> names;
   for (std::int32_t b = 0; b < scene.bodies(); ++b) {
@@ -62,7 +62,7 @@ std::vector<std::string> types_of_bodies(const PolygonScene& scene) {
   return names;
 }
 
-std::string header(const PolygonScene& scene) {
+std::string header(const Scene& scene) {
   const auto corner = cell_corners(scene.box);
   const double lean = drawn_strain(scene.box) * scene.box.length[gradient];
   const double thickest =
@@ -98,7 +98,7 @@ std::string header(const PolygonScene& scene) {
 XyzFile::XyzFile(const std::string& path, Existing existing, Placement placement)
     : path_(path), file_(path, existing), placement_(placement) {}
 
-void XyzFile::append(const PolygonScene& scene) {
+void XyzFile::append(const Scene& scene) {
   check_scene(scene, path_);
   check_names(scene, path_);
   const std::vector<std::string> types = types_of_bodies(scene);

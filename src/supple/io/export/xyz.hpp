@@ -3,7 +3,7 @@
 #include <string>
 
 #include "supple/core/new_file.hpp"
-#include "supple/draw/scene/polygon_scene.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 namespace supple {
 
@@ -27,7 +27,7 @@ class XyzFile {
 
   /// Throws an input error where the arrays do not fit together, take one of the names above or a name is not
   /// of letters, digits and _, and file errors.
-  void append(const PolygonScene& scene);
+  void append(const Scene& scene);
   void commit();
 
  private:

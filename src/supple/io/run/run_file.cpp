@@ -163,6 +163,21 @@ Frame RunFile::frame(std::int64_t k) const {
   throw file_error(path_ + " has no frame " + std::to_string(k), "it has " + std::to_string(frames()));
 }
 
+std::string RunFile::unit_of_bodies(const std::string& number) const {
+  if (info().units.name == reduced_units().name) {
+    for (const std::string& table : tables())
+      for (const Column& column : columns(table))
+        if (column.name == number) return column.unit;
+    return "";
+  }
+  for (std::size_t s = 0; s < segments(); ++s) {
+    if (segments_[s].frames == 0) continue;
+    const h5::Object array = segment(s).open_group("frames").open_group("body").open_dataset(number);
+    return array.has_attribute("unit") ? array.text("unit") : "";
+  }
+  return "";
+}
+
 std::vector<std::string> RunFile::value_groups() const {
   std::vector<std::string> out;
   for (std::size_t s = 0; s < segments(); ++s)

@@ -2,132 +2,146 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "supple/core/error.hpp"
-#include "supple/draw/chart/plot.hpp"
-#include "supple/draw/scene/particle_colors.hpp"
-#include "supple/experiment/case.hpp"
-#include "supple/io/run/body_pictures.hpp"
+#include "supple/core/nearest_name.hpp"
+#include "supple/draw/canvas/canvas.hpp"
+#include "supple/draw/canvas/superscript.hpp"
+#include "supple/draw/canvas/ticks.hpp"
+#include "supple/draw/page/snapshot.hpp"
+#include "supple/draw/scene/colors_apart.hpp"
+#include "supple/draw/scene/drawn_cell.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 
 namespace supple {
 
 namespace {
 
-constexpr const char* stress_table = "stress";
+constexpr const char* by_contact = "id";
 
-Protocol protocol_of(const RunFile& run) {
-  const auto constant = [&](const char* name) { return run.value("constants", name); };
-  return {constant("frequency"), constant("strain_amplitude"), constant("pre_periods"), constant("periods"),
-          constant("post_periods")};
-}
-
-/// A stress of the table, as columns and results name it, and as a legend does.
-struct StressName {
-  const char* key;
-  const char* legend;
-};
-/// Those that do not depend on where the cell is cut.
-constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}};
-constexpr StressName published_stresses[] = {{"internal", "internal (overall tensor)"},
-                                             {"external", "external forces"}};
-
-/// What the figure of a run shows: what its moduli are to be taken from, or, of the published program, what
-/// it draws.
-std::vector<StressName> drawn_stresses(const RunFile& run, const Case& c) {
-  if (is_package(c)) return {std::begin(published_stresses), std::end(published_stresses)};
-  std::vector<StressName> there;
-  for (const StressName& s : bulk_stresses)
-    for (const Column& column : run.columns(stress_table))
-      if (column.name == std::string("shear_stress_") + s.key) there.push_back(s);
-  return there;
-}
-
-/// Series and moduli as the run holds them; offset and drift, which it does not hold, from the series: the
-/// fit's, around which the cycles lie, whatever the stress was at rest.
-StressEstimate estimate(const RunFile& run, const StressName& of, const std::vector<double>& time,
-                        const Protocol& protocol) {
-  const std::string name = of.key;
-  StressEstimate e;
-  e.name = of.legend;
-  e.stress = run.column(stress_table, "shear_stress_" + name);
-  for (const RunValue& v : run.values("results")) {
-    if (v.name.name == "storage_modulus_" + name) e.storage = v.value, e.storage_error = v.error;
-    if (v.name.name == "loss_modulus_" + name) e.loss = v.value, e.loss_error = v.error;
-  }
-  const Demodulation fit = demodulate(time, e.stress, protocol);
-  e.offset = fit.offset;
-  e.drift = fit.drift;
-  return e;
-}
-
-/// (xx + yy)/2 of the virial of bodies, or of the overall tensor; empty where the run holds no tensors.
-std::vector<double> pressure(const RunFile& run) {
-  for (const Column& c : run.columns(stress_table)) {
-    if (c.name == "pressure") return run.column(stress_table, c.name);
-    if (c.name != "overall_00") continue;
-    std::vector<double> p = run.column(stress_table, "overall_00");
-    const std::vector<double> yy = run.column(stress_table, "overall_11");
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = 0.5 * (p[i] + yy[i]);
-    return p;
-  }
-  return {};
-}
-
-}  // namespace
-
-void draw_run_snapshot(const std::string& path, const RunFile& run, std::int64_t k, SnapshotOptions options) {
+void check_frame(const RunFile& run, std::int64_t k) {
   if (k < 0 || k >= run.frames())
     throw input_error(fmt::format("{} has no frame {}", run.path(), k),
                       fmt::format("it has {} frames", run.frames()));
-  const RunInfo info = run.info();
-  if (options.color.empty()) options.color = disc_colors(info, run.frame(0));
-  draw_snapshot(path, info, run.frame(k), options);
+}
+
+void check_color(const RunFile& run, std::int64_t k, const std::string& color) {
+  if (color.empty()) return;
+  const std::vector<std::string> names = body_colors(run, k);
+  if (std::find(names.begin(), names.end(), color) != names.end()) return;
+  const auto near = nearest_name(color, names);
+  throw input_error(fmt::format("{} has no colour '{}'", run.path(), color), "",
+                    near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(names));
+}
+
+/// Time where it passes; else what the packing is.
+std::string title_of(const RunFile& run, const Scene& scene) {
+  if (const auto strain = scene.numbers.find("uniaxial_strain"); strain != scene.numbers.end())
+    return fmt::format("strain {}\u00a0%", tick_label(100 * strain->second, 0.1));
+  const CellNumbers cell = cell_numbers(scene);
+  if (scene.time != 0 || !std::isfinite(cell.packing_fraction)) return "";  // time and strain
+  std::string title = fmt::format("\u03c6 = {:.4f}", cell.packing_fraction);
+  const std::string unit = run.unit_of_bodies("pressure");
+  if (std::isfinite(cell.pressure))
+    title += fmt::format(",  P = {}{}", short_number(cell.pressure), unit.empty() ? "" : "\u00a0" + unit);
+  return title;
+}
+
+/// Frames of a run, and what all of its pictures share.
+class RunScenes {
+ public:
+  RunScenes(const RunFile& run, const std::string& color)
+      : run_(run), info_(run.info()), color_(color == by_contact ? "" : color) {
+    if (run.resolved_case().contact.kind == "smooth") boundary_ = Boundary::smooth;
+    if (color_.empty()) common_.color = colors_apart(std::vector{scene(0), scene(run.frames() - 1)});
+  }
+
+  Scene scene(std::int64_t k) const {
+    Scene scene = scene_of(info_, run_.frame(k));
+    scene.boundary = boundary_;
+    // A heap stands on its floor without a lid; its right wall is taken away when the box widens.
+    if (run_.experiment() == "slump")
+      scene.walls = Walls{true, scene.box.length[flow] <= info_.box.length[flow], true, false};
+    return scene;
+  }
+
+  /// Has pages, forces and colours of all pictures fit this one.
+  void fit(const Scene& scene) {
+    common_.full_force = std::max(common_.full_force, strongest_force(scene));
+    common_.strain_room = std::max(common_.strain_room, std::abs(drawn_strain(scene.box)));
+    for (int d = 0; d < 2 && !scene.box.periodic[flow] && !scene.box.periodic[gradient]; ++d)
+      common_.room[d] = std::max(common_.room[d], scene.box.length[d]);
+    if (const auto scalar = scalar_of(scene))
+      for (const double value : scalar->value)
+        if (std::isfinite(value)) range_ = {std::min(range_.first, value), std::max(range_.second, value)};
+  }
+
+  void draw(const std::string& path, const Scene& scene) const {
+    SnapshotOptions options = common_;
+    options.title = title_of(run_, scene);
+    options.scalar = scalar_of(scene);
+    if (options.scalar && range_.first < range_.second) options.scalar->range = range_;
+    draw_snapshot(path, scene, options);
+  }
+
+ private:
+  std::optional<BodyScalar> scalar_of(const Scene& scene) const {
+    const std::vector<double>* values = numbers_of_bodies(scene, color_);
+    if (!values) return {};
+    std::string label = color_;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    return BodyScalar{label, run_.unit_of_bodies(color_), *values};
+  }
+
+  const RunFile& run_;
+  RunInfo info_;
+  std::string color_;
+  Boundary boundary_ = Boundary::rough;
+  SnapshotOptions common_;
+  std::pair<double, double> range_{std::numeric_limits<double>::infinity(),
+                                   -std::numeric_limits<double>::infinity()};
+};
+
+}  // namespace
+
+std::vector<std::string> body_colors(const RunFile& run, std::int64_t k) {
+  check_frame(run, k);
+  std::vector<std::string> names{by_contact};
+  for (const auto& [name, values] : run.frame(k).body) names.push_back(name);
+  return names;
 }
 
 void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const std::string& color) {
-  if (!run.info().body_begin.empty()) return draw_body_snapshot(path, run, k, color);
-  if (!color.empty())
-    throw input_error("--color " + color,
-                      run.path() + " holds discs of microgels: they have the colours of their particles");
-  draw_run_snapshot(path, run, k);
+  check_frame(run, k);
+  check_color(run, k, color);
+  const RunScenes scenes(run, color);
+  scenes.draw(path, scenes.scene(k));
+}
+
+std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames) {
+  if (images == 1) return frames - 1;
+  return std::llround(static_cast<double>(k) * static_cast<double>(frames - 1) /
+                      static_cast<double>(images - 1));
 }
 
 std::int64_t draw_frames(const std::string& folder, const std::string& ending, const RunFile& run,
-                         std::int64_t images,
+                         std::int64_t images, const std::string& color,
                          const std::function<void(std::int64_t, std::int64_t)>& progress) {
-  return run.info().body_begin.empty() ? draw_run_images(folder, ending, run, images, {}, progress)
-                                       : draw_body_images(folder, ending, run, images, "", progress);
-}
-
-void draw_run_plot(const std::string& path, const RunFile& run) {
-  if (!run.has_table(stress_table))
-    throw input_error("cannot plot " + run.path(), "the run has no stress series");
-  const std::vector<double> time = run.column(stress_table, "t"), strain = run.column(stress_table, "strain");
-  const Case c = run.resolved_case();
-  const std::vector<StressName> names = drawn_stresses(run, c);
-  if (!run.find_value("results", "storage_modulus_virial")) {
-    DynamicsPlot plot{time, strain, {}, pressure(run)};
-    for (const StressName& s : names)
-      plot.stresses.push_back({s.legend, run.column(stress_table, std::string("shear_stress_") + s.key)});
-    plot_dynamics(path, plot);
-    return;
+  picture_format("image." + ending);
+  if (run.frames() < 1) throw input_error("cannot draw images", "the run has no frames", "set output.frames");
+  check_color(run, 0, color);
+  images = std::clamp<std::int64_t>(images, 1, run.frames());
+  RunScenes scenes(run, color);
+  for (std::int64_t k = 0; k < images; ++k) scenes.fit(scenes.scene(frame_of_image(k, images, run.frames())));
+  for (std::int64_t k = 0; k < images; ++k) {
+    scenes.draw(fmt::format("{}/image{:07}.{}", folder, k, ending),
+                scenes.scene(frame_of_image(k, images, run.frames())));
+    if (progress) progress(k + 1, images);
   }
-  const Protocol protocol = protocol_of(run);
-  const double scale = c.output.relative_y_scale_force * c.material.young_modulus;
-  OscillatoryPlot plot{time, strain, {}, protocol, scale > 0 ? std::optional(scale) : std::nullopt};
-  for (const Column& column : run.columns(stress_table)) {
-    if (column.name == "t") plot.time_unit = column.unit;
-    if (column.name == "shear_stress_virial") plot.stress_unit = column.unit;
-  }
-  for (const StressName& s : names) plot.stresses.push_back(estimate(run, s, time, protocol));
-  plot_oscillatory(path, plot);
-}
-
-std::int64_t draw_run_images(const std::string& folder, const std::string& ending, const RunFile& run,
-                             std::int64_t images, const SnapshotOptions& options,
-                             const std::function<void(std::int64_t, std::int64_t)>& progress) {
-  return draw_images(folder, ending, run.info(),
-                     {run.frames(), [&run](std::int64_t k) { return run.frame(k); }}, images, options,
-                     progress);
+  return images;
 }
 
 }  // namespace supple

@@ -3,34 +3,35 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
-#include "supple/draw/page/snapshot.hpp"
-#include "supple/io/run/images.hpp"
 #include "supple/io/run/run_file.hpp"
 
 namespace supple {
 
-/// Draws frame k in the colours of the first frame, so that all pictures of a run agree. Throws an input
-/// error where there is no such frame.
-void draw_run_snapshot(const std::string& path, const RunFile& run, std::int64_t k,
-                       SnapshotOptions options = {});
+/// What bodies can be coloured by: "id" (particles that touch differ), and the numbers that frame k keeps of
+/// each body.
+std::vector<std::string> body_colors(const RunFile& run, std::int64_t k);
 
-/// Draws frame k of any run. `color`: what deformable particles are coloured by (body_colors). Input error
-/// where there is no such frame or colour.
+/// Draws frame k with the walls that stand then. `color`: one of body_colors; empty: "id". All pictures of a
+/// run by "id" have the same colours: those that are apart in its first and its last frame. Throws an input
+/// error where there is no such frame or colour.
 void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const std::string& color = "");
 
-/// Draws `images` frames of any run as numbered files in the folder: draw_run_images, draw_body_images.
+/// Frame of image k: the images are spread over the frames from the first to the last.
+std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames);
+
+/// Draws `images` evenly spaced frames, first and last included (all where there are fewer), as
+/// FOLDER/image0000000.ENDING, ... on equal pages with one scale of forces and, of a `color`, one scale of
+/// that; periodic cells, which may shrink, fill the page. `progress` (may be empty) hears how many are done.
+/// Returns how many were drawn. Throws an input error for an unknown ending or a run without frames, a file
+/// error where it cannot write.
 std::int64_t draw_frames(const std::string& folder, const std::string& ending, const RunFile& run,
-                         std::int64_t images,
+                         std::int64_t images, const std::string& color = "",
                          const std::function<void(std::int64_t done, std::int64_t total)>& progress = {});
 
 /// The stress figure: plot_oscillatory where moduli were found, else plot_dynamics. Throws an input error
 /// where the run has no stress series.
 void draw_run_plot(const std::string& path, const RunFile& run);
-
-/// draw_images of the run's frames.
-std::int64_t draw_run_images(const std::string& folder, const std::string& ending, const RunFile& run,
-                             std::int64_t images, const SnapshotOptions& options = {},
-                             const std::function<void(std::int64_t done, std::int64_t total)>& progress = {});
 
 }  // namespace supple

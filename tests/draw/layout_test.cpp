@@ -1,4 +1,4 @@
-#include "supple/draw/scene/polygon_layout.hpp"
+#include "supple/draw/scene/layout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@ namespace supple {
 namespace {
 
 /// Triangles of the same shape, their first vertex at these places.
-PolygonScene triangles(const std::vector<Vec2>& places, double strain) {
-  PolygonScene scene;
+Scene triangles(const std::vector<Vec2>& places, double strain) {
+  Scene scene;
   scene.box.length = {10, 8};
   scene.box.strain = strain;
   scene.begin = {0};
@@ -21,7 +21,7 @@ PolygonScene triangles(const std::vector<Vec2>& places, double strain) {
   return scene;
 }
 
-TEST(PolygonLayout, ShowsABodyInTheMiddleOnceAndOneAtACornerFourTimes) {
+TEST(Layout, ShowsABodyInTheMiddleOnceAndOneAtACornerFourTimes) {
   const std::vector<DrawnBody> images = lay_out_bodies(triangles({{5, 4}, {9.6, 7.7}}, 0), 0);
   ASSERT_EQ(images.size(), 5u);
   EXPECT_EQ(images[0].lies, Lies::inside);
@@ -32,18 +32,18 @@ TEST(PolygonLayout, ShowsABodyInTheMiddleOnceAndOneAtACornerFourTimes) {
     }
 }
 
-TEST(PolygonLayout, MovesWholeBodiesByLatticeVectorsAlone) {
+TEST(Layout, MovesWholeBodiesByLatticeVectorsAlone) {
   for (const double strain : {0.0, 0.3, -1.4}) {
-    const PolygonScene scene = triangles({{-31, 29}, {9.6, 7.7}, {0.1, -0.3}}, strain);
+    const Scene scene = triangles({{-31, 29}, {9.6, 7.7}, {0.1, -0.3}}, strain);
     for (const DrawnBody& image : lay_out_bodies(scene, 0.5))
       EXPECT_NEAR(norm(scene.box.displacement({0, 0}, image.shift)), 0, 1e-12) << image.shift[0];
   }
 }
 
-TEST(PolygonLayout, DrawsContactsBetweenTheImagesThatTouch) {
+TEST(Layout, DrawsContactsBetweenTheImagesThatTouch) {
   for (const double strain : {0.0, 0.3, -1.4}) {
     // Across the flow period; and one above the other across the sheared one.
-    PolygonScene scene = triangles({{9.5, 4}, {0.9, 4}, {3 + 8 * strain, 7.1}, {3, 0.3}}, strain);
+    Scene scene = triangles({{9.5, 4}, {0.9, 4}, {3 + 8 * strain, 7.1}, {3, 0.3}}, strain);
     scene.contacts = {{1, 3, 1}, {8, 9, 2}};
     const std::vector<ContactImage> images = lay_out_contacts(scene, 0.5);
     ASSERT_GE(images.size(), 4u);  // each shows at both sides
@@ -54,8 +54,8 @@ TEST(PolygonLayout, DrawsContactsBetweenTheImagesThatTouch) {
   }
 }
 
-TEST(PolygonLayout, DrawsAContactWithAnEdgeToThePointOnTheEdge) {
-  PolygonScene scene = triangles({{3, 3}, {3, 4.1}}, 0);
+TEST(Layout, DrawsAContactWithAnEdgeToThePointOnTheEdge) {
+  Scene scene = triangles({{3, 3}, {3, 4.1}}, 0);
   scene.contacts = {{2, 3, 1, 0.25}, {0, 5, 1, 0.5}};  // the last edge goes from site 5 back to site 3
   const std::vector<ContactImage> images = lay_out_contacts(scene, 0);
   ASSERT_EQ(images.size(), 2u);
@@ -63,8 +63,8 @@ TEST(PolygonLayout, DrawsAContactWithAnEdgeToThePointOnTheEdge) {
   EXPECT_NEAR(norm(images[1].to - Vec2{3.25, 4.5}), 0, 1e-12);
 }
 
-TEST(PolygonLayout, RepeatsNothingAlongADirectionThatIsNotPeriodic) {
-  PolygonScene scene = triangles({{9.6, 7.7}}, 0);
+TEST(Layout, RepeatsNothingAlongADirectionThatIsNotPeriodic) {
+  Scene scene = triangles({{9.6, 7.7}}, 0);
   scene.box.periodic = {true, false};
   EXPECT_EQ(lay_out_bodies(scene, 0).size(), 2u);
   scene.box.periodic = {false, false};

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "supple/draw/scene/drawn_cell.hpp"
-#include "supple/draw/scene/polygon_scene.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 namespace supple {
 
@@ -16,16 +16,17 @@ struct DrawnBody {
 
 /// A contact between the images that touch.
 struct ContactImage {
-  std::size_t contact;  ///< index into PolygonScene::contacts
+  std::size_t contact;  ///< index into Scene::contacts
   Vec2 from, to;
   Lies lies;
 };
 
 /// The bodies that come within `margin` of the leaning cell: each body once where it lies in the cell, in
 /// their order, then the images.
-std::vector<DrawnBody> lay_out_bodies(const PolygonScene& scene, double margin);
+std::vector<DrawnBody> lay_out_bodies(const Scene& scene, double margin);
 
-/// The contacts that come within `margin` of it, the shortest way between what touches.
-std::vector<ContactImage> lay_out_contacts(const PolygonScene& scene, double margin);
+/// The contacts that come within `margin` of it, the shortest way between what touches. A link that has
+/// become longer than half the cell keeps its own image: that towards which its force says it goes.
+std::vector<ContactImage> lay_out_contacts(const Scene& scene, double margin);
 
 }  // namespace supple

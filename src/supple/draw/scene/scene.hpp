@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,6 +11,8 @@
 
 #include "supple/model/box.hpp"
 #include "supple/model/pair_table.hpp"
+#include "supple/model/state.hpp"
+#include "supple/model/units.hpp"
 
 namespace supple {
 
@@ -27,11 +31,21 @@ struct SceneContact {
   double along = 0;  ///< in [0, 1)
   ContactState state = ContactState::slip;
   bool tension = false;  ///< of a link that is stretched
+  Vec2 towards{};        ///< from `first` to its image of `second`, any length; (0, 0): to the nearest image
+};
+
+/// How far a polygon reaches: the discs on its vertices, or everywhere their radius.
+enum class Boundary { rough, smooth };
+
+/// Sides of the cell that are solid.
+struct Walls {
+  bool left = false, right = false, bottom = false, top = false;
 };
 
 /// Sites [begin[b], begin[b+1]) form body b, as in Topology: one site is a disc; three or more are the
 /// vertices of a polygon, anticlockwise, its ring one connected copy that may stick out of the cell.
-struct PolygonScene {
+struct Scene {
+  Units units = reduced_units();
   Box<2> box;  ///< at its strain
   double time = 0;
   std::vector<std::int32_t> begin;  ///< empty: every site is a disc
@@ -40,6 +54,10 @@ struct PolygonScene {
   std::vector<SceneArray> of_sites, of_bodies;
   std::vector<SceneContact> contacts = {};
   std::map<std::string, double> numbers = {};  ///< of all: "pressure", ...
+  std::vector<std::int32_t> particle = {};     ///< of each body: what crosslinks join; empty: each its own
+  std::vector<Mobility> mobility = {};         ///< of each site; empty: all free
+  Boundary boundary = Boundary::rough;         ///< of polygons
+  std::optional<Walls> walls = std::nullopt;   ///< empty: every side that is not periodic
 
   std::int32_t sites() const { return static_cast<std::int32_t>(position.size()); }
   std::int32_t bodies() const {
@@ -49,20 +67,41 @@ struct PolygonScene {
   std::pair<std::int32_t, std::int32_t> body(std::int32_t b) const {
     return begin.empty() ? std::pair(b, b + 1) : std::pair(begin[b], begin[b + 1]);
   }
+  std::span<const Vec2> positions_of(std::int32_t b) const { return of_body(position, b); }
+  std::span<const double> radii_of(std::int32_t b) const { return of_body(radius, b); }
+  /// Mean of its sites.
+  Vec2 centre_of(std::int32_t b) const;
+  bool is_disc(std::int32_t b) const { return body(b).second - body(b).first == 1; }
+  std::int32_t particle_of(std::int32_t b) const { return particle.empty() ? b : particle[b]; }
+  /// Whether a plate or something else holds all of its sites.
+  bool is_held(std::int32_t b) const;
+
+ private:
+  template <class T>
+  std::span<const T> of_body(const std::vector<T>& values, std::int32_t b) const {
+    const auto [first, last] = body(b);
+    return {values.begin() + first, values.begin() + last};
+  }
 };
 
 /// Throws an input error ("cannot write 'PATH'") where the arrays do not fit together, a body has two sites
 /// or none, or two arrays share a name.
-void check_scene(const PolygonScene& scene, const std::string& path);
+void check_scene(const Scene& scene, const std::string& path);
 
 /// Body of each site.
-std::vector<std::int32_t> body_of_sites(const PolygonScene& scene);
+std::vector<std::int32_t> body_of_sites(const Scene& scene);
+
+/// Whether each body is a disc that crosslinks could join to others and do not.
+std::vector<bool> single_discs(const Scene& scene);
 
 /// Where bodies are put: each whole, moved by lattice vectors until the mean of its sites lies in the leaning
 /// cell (the cell as drawn); or with the positions of the run, from which displacements follow.
 enum class Placement { in_cell, unwrapped };
 
 /// What to add to the positions of each body.
-std::vector<Vec2> placement_shifts(const PolygonScene& scene, Placement placement);
+std::vector<Vec2> placement_shifts(const Scene& scene, Placement placement);
+
+/// The 99th percentile of the forces of contacts, in SI where the run has such units; 0 without contacts.
+double strongest_force(const Scene& scene);
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-#include "supple/draw/scene/run_scene.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ namespace {
 using testing::body_frame;
 using testing::body_info;
 
-TEST(RunScene, HasTheBodiesOfTheRunInTheCellOfTheFrame) {
-  const PolygonScene scene = scene_of(body_info(), body_frame(2));
+TEST(FrameScene, HasTheBodiesOfTheRunInTheCellOfTheFrame) {
+  const Scene scene = scene_of(body_info(), body_frame(2));
   EXPECT_EQ(scene.begin, (std::vector<std::int32_t>{0, 4, 5, 8}));
   EXPECT_EQ(scene.box.length, (Vec2{10, 9.5}));
   EXPECT_EQ(scene.time, 0.5);
@@ -24,15 +24,15 @@ TEST(RunScene, HasTheBodiesOfTheRunInTheCellOfTheFrame) {
   EXPECT_NO_THROW(check_scene(scene, "a.png"));
 }
 
-TEST(RunScene, ContactsBearTheSizeOfTheirForce) {
-  const PolygonScene scene = scene_of(body_info(), body_frame(0));
+TEST(FrameScene, ContactsBearTheSizeOfTheirForce) {
+  const Scene scene = scene_of(body_info(), body_frame(0));
   ASSERT_EQ(scene.contacts.size(), 2u);
   EXPECT_EQ(scene.contacts[1].first, 4);
   EXPECT_EQ(scene.contacts[1].second, 6);
   EXPECT_DOUBLE_EQ(scene.contacts[1].force, 0.5);
 }
 
-TEST(RunScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {
+TEST(FrameScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {
   const CellNumbers cell = cell_numbers(scene_of(body_info(), body_frame(4)));
   EXPECT_DOUBLE_EQ(cell.packing_fraction, 20 / 90.0);
   EXPECT_DOUBLE_EQ(cell.pressure, (10 * 4e-3 + 5 * 2e-3 + 5 * 3e-3) / 90);
@@ -41,13 +41,13 @@ TEST(RunScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {
   EXPECT_TRUE(std::isnan(cell_numbers(scene_of(body_info(), frame)).packing_fraction));
 }
 
-TEST(RunScene, DiscsKeepTheirCellTheirSpinAndTheirParticle) {
+TEST(FrameScene, DiscsKeepTheirCellTheirSpinAndTheirParticle) {
   RunInfo info = testing::sample_info(6);
   Frame frame = testing::sample_frame(6, 3);
   info.body_begin.clear();
   frame.length = {};
   frame.body.clear();
-  const PolygonScene scene = scene_of(info, frame);
+  const Scene scene = scene_of(info, frame);
   EXPECT_EQ(scene.bodies(), 6);
   EXPECT_EQ(scene.box.length, (Vec2{500, 400}));
   EXPECT_EQ(scene.box.strain, std::sin(3));

@@ -1,7 +1,8 @@
-#include "supple/draw/scene/polygon_scene.hpp"
+#include "supple/draw/scene/scene.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "supple/core/error.hpp"
@@ -25,7 +26,7 @@ void check_arrays(const std::vector<SceneArray>& arrays, std::int32_t count, con
   }
 }
 
-void check_bodies(const PolygonScene& scene, const std::string& what) {
+void check_bodies(const Scene& scene, const std::string& what) {
   if (scene.begin.empty()) return;
   if (scene.begin.front() != 0 || scene.begin.back() != scene.sites())
     throw input_error(what, "its bodies do not cover all sites");
@@ -39,11 +40,26 @@ void check_bodies(const PolygonScene& scene, const std::string& what) {
 
 }  // namespace
 
-void check_scene(const PolygonScene& scene, const std::string& path) {
+Vec2 Scene::centre_of(std::int32_t b) const {
+  Vec2 sum{};
+  for (const Vec2& x : positions_of(b)) sum += x;
+  return (1.0 / static_cast<double>(positions_of(b).size())) * sum;
+}
+
+bool Scene::is_held(std::int32_t b) const {
+  return !mobility.empty() && std::ranges::count(of_body(mobility, b), Mobility::free) == 0;
+}
+
+void check_scene(const Scene& scene, const std::string& path) {
   const std::string what = "cannot write '" + path + "'";
   if (scene.radius.size() != scene.position.size())
     throw input_error(what, fmt::format("{} radii for {} sites", scene.radius.size(), scene.position.size()));
   check_bodies(scene, what);
+  const auto fits = [](std::size_t size, std::int32_t count) {
+    return size == 0 || size == static_cast<std::size_t>(count);
+  };
+  if (!fits(scene.mobility.size(), scene.sites()) || !fits(scene.particle.size(), scene.bodies()))
+    throw input_error(what, "mobility or particle is not of each site or body");
   check_arrays(scene.of_sites, scene.sites(), "sites", what);
   check_arrays(scene.of_bodies, scene.bodies(), "bodies", what);
   const auto is_site = [&](std::int32_t i) { return 0 <= i && i < scene.sites(); };
@@ -52,23 +68,38 @@ void check_scene(const PolygonScene& scene, const std::string& path) {
       throw input_error(what, "a contact names a site that is not there");
 }
 
-std::vector<std::int32_t> body_of_sites(const PolygonScene& scene) {
+std::vector<std::int32_t> body_of_sites(const Scene& scene) {
   std::vector<std::int32_t> body;
   for (std::int32_t b = 0; b < scene.bodies(); ++b) body.resize(scene.body(b).second, b);
   return body;
 }
 
-std::vector<Vec2> placement_shifts(const PolygonScene& scene, Placement placement) {
+std::vector<bool> single_discs(const Scene& scene) {
+  std::map<std::int32_t, int> bodies;
+  for (const std::int32_t p : scene.particle) ++bodies[p];
+  std::vector<bool> single(scene.bodies(), false);
+  for (std::int32_t b = 0; b < scene.bodies(); ++b)
+    single[b] = scene.is_disc(b) && !scene.particle.empty() && bodies[scene.particle[b]] == 1;
+  return single;
+}
+
+std::vector<Vec2> placement_shifts(const Scene& scene, Placement placement) {
   std::vector<Vec2> shifts(scene.bodies());
   if (placement == Placement::unwrapped) return shifts;
   for (std::int32_t b = 0; b < scene.bodies(); ++b) {
-    const auto [first, last] = scene.body(b);
-    Vec2 mean{};
-    for (std::int32_t i = first; i < last; ++i) mean += scene.position[i];
-    mean *= 1.0 / (last - first);
+    const Vec2 mean = scene.centre_of(b);
     shifts[b] = into_cell(scene.box, mean) - mean;
   }
   return shifts;
+}
+
+double strongest_force(const Scene& scene) {
+  std::vector<double> force;
+  for (const SceneContact& c : scene.contacts) force.push_back(c.force);
+  if (force.empty()) return 0;
+  const auto at = force.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(force.size() - 1));
+  std::nth_element(force.begin(), at, force.end());
+  return *at * scene.units.force();
 }
 
 }  // namespace supple

@@ -1,0 +1,87 @@
+#include "supple/draw/scene/frame_scene.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace supple {
+
+namespace {
+
+/// Along the normal of a contact, which follows from its force: F = -N n + T t, t being n turned left.
+Vec2 direction(const ContactRow& c) {
+  return -c.normal_force * c.force - c.tangential_force * turned_left(c.force);
+}
+
+/// Of each body: discs that crosslinks join share a particle, a polygon is one of its own. Empty where bodies
+/// are not those of microgels, of which none are joined.
+std::vector<std::int32_t> particles_of_bodies(const RunInfo& info, const Scene& scene) {
+  if (info.body_begin.empty()) return info.particle;
+  std::vector<std::int32_t> particle;
+  std::set<std::int32_t> different;
+  for (std::int32_t b = 0; b < scene.bodies(); ++b) {
+    particle.push_back(scene.is_disc(b) ? info.particle[scene.body(b).first] : scene.sites() + b);
+    different.insert(particle.back());
+  }
+  if (different.size() == particle.size()) particle.clear();
+  return particle;
+}
+
+}  // namespace
+
+Scene scene_of(const RunInfo& info, const Frame& frame) {
+  Scene scene;
+  scene.units = info.units;
+  scene.box = info.box;
+  scene.box.strain = frame.strain;
+  scene.box.strain_rate = frame.strain_rate;
+  if (frame.length[0] > 0) scene.box.length = frame.length;
+  scene.time = frame.time;
+  scene.numbers = frame.numbers;
+  scene.begin = info.body_begin;
+  scene.position = frame.position;
+  scene.radius = info.radius;
+  scene.mobility = frame.mobility;
+  scene.particle = particles_of_bodies(info, scene);
+  const auto add = [&](const char* name, const auto& values, bool about_normal = false) {
+    if (!values.empty()) scene.of_sites.push_back({name, values, about_normal});
+  };
+  add("velocity", frame.velocity);
+  add("force", frame.force);
+  if (info.body_begin.empty()) {
+    add("angle", frame.angle);
+    add("spin", frame.spin, true);
+    add("torque", frame.torque, true);
+    add("particle", info.particle);
+  }
+  for (const auto& [name, values] : frame.body) scene.of_bodies.push_back({name, values});
+  for (const ContactRow& c : frame.contacts) {
+    const bool is_link = c.state == ContactState::permanent;
+    scene.contacts.push_back({c.first, c.second, std::hypot(c.normal_force, c.tangential_force), 0, c.state,
+                              is_link && c.normal_force < 0, is_link ? direction(c) : Vec2{}});
+  }
+  return scene;
+}
+
+const std::vector<double>* numbers_of_bodies(const Scene& scene, const std::string& name) {
+  for (const SceneArray& array : scene.of_bodies)
+    if (array.name == name) return std::get_if<std::vector<double>>(&array.values);
+  return nullptr;
+}
+
+CellNumbers cell_numbers(const Scene& scene) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  CellNumbers cell{unknown, unknown};
+  const auto *area = numbers_of_bodies(scene, "area"), *pressure = numbers_of_bodies(scene, "pressure");
+  if (!area) return cell;
+  double covered = 0, pressed = 0;
+  for (std::size_t b = 0; b < area->size(); ++b) {
+    covered += (*area)[b];
+    if (pressure) pressed += (*area)[b] * (*pressure)[b];
+  }
+  cell.packing_fraction = covered / scene.box.volume();
+  if (pressure) cell.pressure = pressed / scene.box.volume();
+  return cell;
+}
+
+}  // namespace supple
