@@ -118,12 +118,12 @@ TEST(CellScene, TilesADenseCellWithoutOverlap) {
   EXPECT_NEAR(sum, 100, 1e-9);  // the discs cover the cell
 }
 
-/// A disc that lies across the boundary is drawn where the run has it, and its image is the same shape.
+/// Two discs that meet across the boundary, one of them a cell further to the left.
 TEST(CellScene, FlattensADiscByTheImageOfItsNeighbour) {
-  const std::vector<FlatDisc> discs = flatten_discs(scene_at({{-0.2, 5}, {9, 5}}, {0.6, 0.6}));
-  EXPECT_NEAR(discs[0].outline[0][0], 0.4, 1e-12);
-  for (const Vec2& x : discs[0].outline) EXPECT_GE(x[0], -0.6 - 1e-12);  // half way to the image at -1
-  for (const Vec2& x : discs[1].outline) EXPECT_LE(x[0], 9.4 + 1e-12);
+  const std::vector<FlatDisc> discs = flatten_discs(scene_at({{-9.6, 5}, {9.6, 5}}, {0.6, 0.6}));
+  EXPECT_NEAR(discs[0].outline[0][0], -9, 1e-12);
+  for (const Vec2& x : discs[0].outline) EXPECT_GE(x[0], -10 - 1e-12);
+  for (const Vec2& x : discs[1].outline) EXPECT_LE(x[0], 10 + 1e-12);
 }
 
 }  // namespace
