@@ -1,11 +1,11 @@
 /// Particles of a frame in a part of a page, for the pictures of studies.
 #pragma once
-#include <set>
 #include <string>
 #include <vector>
 
 #include "supple/draw/canvas/canvas.hpp"
-#include "supple/draw/scene/particle_colors.hpp"
+#include "supple/draw/scene/colors_apart.hpp"
+#include "supple/draw/scene/frame_scene.hpp"
 #include "supple/draw/scene/polygon_outline.hpp"
 #include "supple/experiment/recorder.hpp"
 #include "supple/observe/body_shapes.hpp"
@@ -24,20 +24,9 @@ struct Panel {
   double width() const { return scale * frame.length[0]; }
   double height() const { return scale * frame.length[1]; }
 
-  /// Neighbours differ in colour.
-  std::vector<Color> colors() const {
-    const auto bodies = info.body_begin.size() - 1;
-    std::vector<std::set<std::int32_t>> touching(bodies);
-    for (const ContactRow& c : frame.contacts) {
-      touching[info.particle[c.first]].insert(info.particle[c.second]);
-      touching[info.particle[c.second]].insert(info.particle[c.first]);
-    }
-    return neighbour_colors(touching, std::vector<bool>(bodies, true));
-  }
-
   /// Fills first, then outlines, so that overlaps show.
   void draw_particles() const {
-    const std::vector<Color> color = colors();
+    const std::vector<Color> color = colors_apart(scene_of(info, frame));
     for (std::size_t b = 0; b < color.size(); ++b) fill(b, color[b]);
     for (std::size_t b = 0; b < color.size(); ++b) draw_outline(b);
   }
