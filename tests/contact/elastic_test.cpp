@@ -19,16 +19,24 @@ struct Law {
   std::function<double(double)> force, energy;
   double low, high;                ///< distances over which it acts, as shares of d0
   std::vector<double> kinks = {};  ///< where the slope of the force jumps, as shares of d0
+  double ends = 1;                 ///< where force and energy vanish, as a share of d0
+  double least = 0;                ///< energy
+  std::function<double(double)> stiffness = {};
 };
 
 template <class L>
 Law law(const std::string& name, const L& l, double low, double high, std::vector<double> kinks = {}) {
-  return {name,
+  Law all{name,
           [l](double d) { return l.force(d, d0, k); },
           [l](double d) { return l.energy(d, d0, k); },
           low,
           high,
-          kinks};
+          kinks,
+          range_of(l)};
+  if (all.ends > 1) all.least = l.energy(d0, d0, k);  // the bottom of its well
+  if constexpr (requires { l.stiffness(d0, d0, k); })
+    all.stiffness = [l](double d) { return l.stiffness(d, d0, k); };
+  return all;
 }
 
 /// Every repulsion in Repulsion, and every tension.
@@ -36,10 +44,11 @@ std::vector<Law> every_law() {
   const Tabulated formula(
       [](double d, double r, double stiffness, double) { return stiffness * (r - d) * (r - d) / r; }, 1,
       "k (d0 - d)^2 / d0");
-  static_assert(std::variant_size_v<Repulsion> == 4, "add the new law to this list");
+  static_assert(std::variant_size_v<Repulsion> == 5, "add the new law to this list");
   return {law("divergent, c = 1", Divergent(1), 1e-4, 1, {1 / 1001.0}),
           law("divergent, c = 0.4", Divergent(0.4), 1e-4, 1, {0.0004}),
-          law("linear", Divergent(0), 1e-4, 1),
+          law("linear", Linear(), 1e-4, 1),
+          law("divergent, c = 0", Divergent(0), 1e-4, 1),
           law("hertz", Hertz(), 1e-4, 1),
           law("plateau", Plateau(1, 0.3, 0.8, 0.1), 1e-3, 1, {0.3, 0.8}),
           law("linear plateau", Plateau(0, 0.4, 0.7, 0.3), 1e-3, 1, {0.4, 0.7}),
@@ -69,10 +78,29 @@ TEST(ElasticLaw, ForceIsMinusTheSlopeOfTheEnergy) {
     }
 }
 
-TEST(ElasticLaw, ForceAndEnergyVanishAtContact) {
+TEST(ElasticLaw, StiffnessIsMinusTheSlopeOfTheForce) {
+  int laws = 0;
   for (const Law& l : every_law()) {
+    if (!l.stiffness) continue;
+    ++laws;
+    for (int i = 1; i < 400; ++i) {
+      const double d = d0 * l.low * std::pow(l.high / l.low, i / 400.0), h = 1e-5 * d;
+      if (near_a_kink(l, d / d0, 3e-5 * d / d0)) continue;
+      const double slope = (l.force(d + h) - l.force(d - h)) / (2 * h);
+      // A law by points is a spline: its slope has the error of its cubics.
+      EXPECT_NEAR(l.stiffness(d), -slope,
+                  1e-5 * std::abs(slope) + 1e-14 * std::abs(l.force(d)) / h + 1e-8 * k)
+          << l.name << " at d/d0 = " << d / d0;
+    }
+  }
+  EXPECT_EQ(laws, 8);
+}
+
+TEST(ElasticLaw, ForceAndEnergyVanishWhereTheyEnd) {
+  for (const Law& l : every_law()) {
+    EXPECT_NEAR(l.force(d0 * l.ends), 0, 1e-13) << l.name;
+    EXPECT_NEAR(l.energy(d0 * l.ends), 0, 1e-13) << l.name;
     EXPECT_NEAR(l.force(d0), 0, 1e-13) << l.name;
-    EXPECT_NEAR(l.energy(d0), 0, 1e-13) << l.name;
   }
 }
 
@@ -84,7 +112,7 @@ TEST(ElasticLaw, ForceIsContinuousAndPushesTowardsContact) {
       const double below = l.force(d0 * x * (1 - 1e-9)), above = l.force(d0 * x * (1 + 1e-9));
       EXPECT_NEAR(below, above, 1e-7 * (std::abs(above) + k * d0)) << l.name << " at d/d0 = " << x;
       EXPECT_EQ(above >= 0, x < 1) << l.name << " at d/d0 = " << x;
-      EXPECT_GE(l.energy(d0 * x), 0) << l.name << " at d/d0 = " << x;
+      EXPECT_GE(l.energy(d0 * x), l.least) << l.name << " at d/d0 = " << x;
     }
   }
 }

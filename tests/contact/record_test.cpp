@@ -189,7 +189,7 @@ void expect_same(const Evaluation<2>& fast, const Evaluation<2>& reference) {
   EXPECT_EQ(fast.trial_state, reference.trial_state);
   for (std::size_t k = 0; k < fast.trial_history.size(); ++k)
     EXPECT_NEAR(fast.trial_history[k], reference.trial_history[k], tolerance);
-  EXPECT_NEAR(fast.energy.elastic, reference.energy.elastic, tolerance * reference.energy.elastic);
+  EXPECT_NEAR(fast.energy.elastic, reference.energy.elastic, tolerance * std::abs(reference.energy.elastic));
   EXPECT_NEAR(fast.energy.tangential, reference.energy.tangential, tolerance * reference.energy.tangential);
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
@@ -215,7 +215,7 @@ TEST(RecordPaths, FastLoopOverDiscsAgreesWithTheReferencePath) {
         std::visit(
             [&](const auto& r) {
               evaluate_records(
-                  system, detect_discs(system),
+                  system, detect_discs(system, range_of(r)),
                   [&](const ContactMotion<2>& m, std::span<double> u) { return respond(r, law, m, u); }, 1e-2,
                   reference);
             },

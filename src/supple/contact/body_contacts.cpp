@@ -11,10 +11,10 @@ namespace {
 ///     (t.y)(n.z)/L - d (n.z)^2/L^2.
 class Curvature {
  public:
-  Curvature(const ContactRecord<2>& record, const Harmonic& law, double edge_length)
+  Curvature(const ContactRecord<2>& record, const BodyLaw& law, double edge_length)
       : record_(record),
         edge_length_(edge_length),
-        stretch_(record.multiplicity * law.spring(record.reach)),
+        stretch_(record.multiplicity * law.stiffness(record.distance(), record.reach)),
         slope_(-record.multiplicity * law.force(record.distance(), record.reach)) {}
 
   Mat2 block(int a, int b) const {
@@ -53,24 +53,25 @@ void BodyContacts::add_hessian(const System<2>& system, HessianBlocks<2>& blocks
 }
 
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                   const Harmonic& law) {
+                                   const BodyLaw& law) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<BodyTouch> touches;
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(records.size()); ++k) {
     const ContactRecord<2>& record = records[k];
     if (k == 0 || record.touch < 0 || record.touch != records[k - 1].touch) {
       const int at = record.weight[0] > 0 ? 0 : 1, other = at == 0 ? 1 : 0;
-      touches.push_back({record.site[at], body[record.site[other]], {}, 0, k, 0});
+      touches.push_back({record.site[at], body[record.site[other]], {}, 0, {}, k, 0});
     }
     BodyTouch& touch = touches.back();
     touch.force += record.multiplicity * law.force(record.distance(), record.reach) * record.normal;
     touch.energy += record.multiplicity * law.energy(record.distance(), record.reach);
+    touch.outward += record.multiplicity * record.normal;
     ++touch.records;
   }
   return touches;
 }
 
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
                            Evaluation<2>& out) {
   for (const ContactRecord<2>& record : records) {
     const double distance = record.distance();

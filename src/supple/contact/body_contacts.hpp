@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "supple/contact/laws/harmonic.hpp"
+#include "supple/contact/laws/body.hpp"
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/model/evaluation.hpp"
@@ -17,18 +17,23 @@ struct BodyTouch {
   std::int32_t body;  ///< the other one
   Vec2 force{};       ///< on the site [force]
   double energy = 0;
+  Vec2 outward{};  ///< sum of the normals, each as often as it counts: away from the body
   std::int32_t first_record = 0, records = 0;  ///< those that were summed
+
+  /// Positive: repulsion.
+  double normal_force() const { return dot(force, outward) < 0 ? -norm(force) : norm(force); }
 };
 
 /// A fast loop, and the general records that it must agree with. The pair table must be up to date
 /// (NeighborList::update with meeting()).
 class BodyContacts {
  public:
-  explicit BodyContacts(const Harmonic& law) : law_(law) {}
+  explicit BodyContacts(const BodyLaw& law) : law_(law) {}
   virtual ~BodyContacts() = default;
 
-  const Harmonic& law() const { return law_; }
-  void set_law(const Harmonic& law) { law_ = law; }
+  const BodyLaw& law() const { return law_; }
+  /// Of the same range, which the neighbour list knows.
+  void set_law(const BodyLaw& law) { law_ = law; }
   /// What the neighbour list must find for these contacts.
   virtual Meeting meeting() const = 0;
   /// Factor on the law's energy and force for contacts of a site of such a body.
@@ -44,16 +49,16 @@ class BodyContacts {
   virtual int feature_violations() const { return 0; }
 
  private:
-  Harmonic law_;
+  BodyLaw law_;
 };
 
 /// Sums the records of each contact. Rough contacts of vertices and smooth ones of a vertex with a boundary
 /// are one touch each.
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                   const Harmonic& law);
+                                   const BodyLaw& law);
 
 /// Adds forces, energy.elastic and the virial of records under a law without memory: the reference path.
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
                            Evaluation<2>& out);
 
 }  // namespace supple

@@ -32,13 +32,14 @@ ContactRecord<Dim> disc_contact(const System<Dim>& system, std::int32_t row) {
   return record;
 }
 
-/// A record for each row that touches or is linked, in the order of the pair table.
+/// A record for each row that touches (d < range d0) or is linked, in the order of the pair table.
 template <int Dim>
-std::vector<ContactRecord<Dim>> detect_discs(const System<Dim>& system) {
+std::vector<ContactRecord<Dim>> detect_discs(const System<Dim>& system, double range = 1) {
   std::vector<ContactRecord<Dim>> records;
   for (std::int32_t row = 0; row < system.pairs.size(); ++row) {
     const ContactRecord<Dim> record = disc_contact(system, row);
-    if (record.gap < 0 || system.pairs.state[row] == ContactState::permanent) records.push_back(record);
+    if (record.distance() < range * record.reach || system.pairs.state[row] == ContactState::permanent)
+      records.push_back(record);
   }
   return records;
 }

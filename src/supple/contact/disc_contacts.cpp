@@ -76,10 +76,12 @@ void separate(const System<2>& system, const Lattice<2> images, Candidates& c) {
   }
 }
 
-void select_touching(const PairTable& pairs, const Candidates& c, Touching& t) {
+/// `range`: distance at which contacts end, over d0.
+void select_touching(const PairTable& pairs, double range, const Candidates& c, Touching& t) {
+  const double square = range * range;
   for (int k = 0; k < c.count; ++k) {
     const bool linked = pairs.state[c.begin + k] == ContactState::permanent;
-    const bool touches = linked | (c.d2[k] < c.d0[k] * c.d0[k]);
+    const bool touches = linked | (c.d2[k] < square * (c.d0[k] * c.d0[k]));
     const int lane = linked ? t.links_begin() - 1 : t.contacts;
     t.candidate[lane] = k;
     t.lane[t.count] = lane;
@@ -215,7 +217,7 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
   const Lattice<2> images = system.box.lattice();
   const DiscLaw law = law_;
   const SlipRule slip(law.slip, law.contact.k_t);
-  const double share = law.lever_arm == LeverArm::distance ? 1 : 0;
+  const double share = law.lever_arm == LeverArm::distance ? 1 : 0, range = range_of(repulsion);
   const auto contact = [=](const PairMotion& m, double u) {
     return respond_contact(repulsion, law, slip, m, u, dt);
   };
@@ -230,7 +232,7 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
       c.begin = row;
       c.count = std::min(batch_size, pairs.begin[end] - row);
       separate(system, images, c);
-      select_touching(pairs, c, t);
+      select_touching(pairs, range, c, t);
       gather_motion(system, c, t);
       apply_law(0, t.contacts, share, t, contact);
       apply_law(t.links_begin(), batch_size, share, t, link);

@@ -16,11 +16,11 @@ struct EdgeCandidates::Found {
   auto key() const { return std::tuple_cat(group(), std::tuple(start)); }
 };
 
-void EdgeCandidates::update(const System<2>& system) {
+void EdgeCandidates::update(const System<2>& system, double range) {
   if (!images_.update(system)) return;
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<Found> found;
-  collect(system, body, found);
+  collect(system, body, range, found);
   arrange(system, body, found);
 }
 
@@ -32,7 +32,7 @@ const std::vector<Vec2>& EdgeCandidates::shifts(const Box<2>& box) {
   return shifts_;
 }
 
-void EdgeCandidates::collect(const System<2>& system, const std::vector<std::int32_t>& body,
+void EdgeCandidates::collect(const System<2>& system, const std::vector<std::int32_t>& body, double range,
                              std::vector<Found>& found) {
   const State<2>& state = system.state;
   const std::vector<Vec2>& shift = shifts(system.box);
@@ -42,7 +42,7 @@ void EdgeCandidates::collect(const System<2>& system, const std::vector<std::int
   const auto consider = [&](std::int32_t site, std::int32_t vertex, std::int32_t image) {
     const Ring ring = ring_of(system.topology, body[vertex]);
     if (ring.is_disc()) return;
-    const double reach = state.radius[site] + state.radius[vertex] + system.pairs.skin;
+    const double reach = range * (state.radius[site] + state.radius[vertex]) + system.pairs.skin;
     for (const std::int32_t start : {ring.before(vertex), vertex}) {
       const Vec2 from = closest_on_segment(state.position[site] + shift[image], state.position[start],
                                            state.position[ring.after(start)])

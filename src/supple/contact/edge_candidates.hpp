@@ -25,8 +25,8 @@ inline double edge_scale(const Ring& of_site) { return of_site.is_disc() ? 1.0 :
 /// a group. Bodies of one site have no edges, and their pairs keep their rows.
 class EdgeCandidates {
  public:
-  /// Finds the candidates again if the rows have changed.
-  void update(const System<2>& system);
+  /// Finds the candidates again if the rows have changed. `range`: of the law, over where surfaces meet.
+  void update(const System<2>& system, double range = 1);
 
   const std::vector<EdgeCandidate>& all() const { return all_; }
   /// Group g: candidates [group_begin()[g], group_begin()[g+1]).
@@ -46,7 +46,8 @@ class EdgeCandidates {
 
  private:
   struct Found;
-  void collect(const System<2>& system, const std::vector<std::int32_t>& body, std::vector<Found>& found);
+  void collect(const System<2>& system, const std::vector<std::int32_t>& body, double range,
+               std::vector<Found>& found);
   void arrange(const System<2>& system, const std::vector<std::int32_t>& body,
                const std::vector<Found>& found);
 

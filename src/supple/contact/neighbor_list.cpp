@@ -145,7 +145,7 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   const int n = state.size();
   double sum = 0, largest = 0;
   for (double r : state.radius) sum += r;
-  const std::vector<double> radius = reach_of_sites(system, meeting_);
+  const std::vector<double> radius = reach_of_sites(system, meeting_, range_);
   least_period_ = least_period(system, radius);
   require_periods(system.box);
   for (double r : radius) largest = std::max(largest, r);

@@ -9,18 +9,19 @@ namespace supple {
 /// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
 inline constexpr double default_skin = 0.4;
 
-/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii
-/// (Meeting::facets: and half of the longest facets at either site), and every permanent link however
-/// stretched, has a row; pairs within the skin have one too. Rows that leave lose their history; permanent
-/// ones stay. Stale when a site has moved, relative to the affine flow and the change of the box since the
-/// last build, so far that a pair without a row could touch: 2 max|u| + (|strain change| + |relative change
-/// of lengths|) * reach > skin. A periodic cell in which a site could meet another body on two sides
-/// (least_period) is refused, also where it has shrunk: too few particles are wrong input.
+/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii,
+/// times the range of the law (Meeting::facets: and half of the longest facets at either site), and every
+/// permanent link however stretched, has a row; pairs within the skin have one too. Rows that leave lose
+/// their history; permanent ones stay. Stale when a site has moved, relative to the affine flow and the
+/// change of the box since the last build, so far that a pair without a row could touch: 2 max|u| + (|strain
+/// change| + |relative change of lengths|) * reach > skin. A periodic cell in which a site could meet another
+/// body on two sides (least_period) is refused, also where it has shrunk: too few particles are wrong input.
 template <int Dim>
 class NeighborList {
  public:
-  explicit NeighborList(double relative_skin = default_skin, Meeting meeting = Meeting::sites)
-      : relative_skin_(relative_skin), meeting_(meeting) {}
+  explicit NeighborList(double relative_skin = default_skin, Meeting meeting = Meeting::sites,
+                        double range = 1)
+      : relative_skin_(relative_skin), meeting_(meeting), range_(range) {}
 
   /// Rebuilds if stale. Returns whether it did. Throws where a period is too short.
   bool update(System<Dim>& system);
@@ -38,6 +39,7 @@ class NeighborList {
 
   double relative_skin_;
   Meeting meeting_;
+  double range_;
   double skin_ = 0, reach_ = 0, least_period_ = 0;
   bool built_ = false;
   std::uint64_t version_ = 0;  ///< of the table that was made last; never given twice

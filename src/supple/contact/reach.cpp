@@ -7,8 +7,9 @@
 namespace supple {
 
 template <int Dim>
-std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting) {
+std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range) {
   std::vector<double> reach = system.state.radius;
+  for (double& r : reach) r *= range;
   if (meeting == Meeting::sites) return reach;
   std::vector<double> longest(reach.size());
   for (const auto& facet : system.topology.facet)
@@ -69,8 +70,8 @@ Error ShortPeriod::error(ErrorKind kind) const {
       "only the nearest image would count", "take a larger cell, or raise bodies.N or particles.N");
 }
 
-template std::vector<double> reach_of_sites(const System<2>&, Meeting);
-template std::vector<double> reach_of_sites(const System<3>&, Meeting);
+template std::vector<double> reach_of_sites(const System<2>&, Meeting, double);
+template std::vector<double> reach_of_sites(const System<3>&, Meeting, double);
 template double least_period(const System<2>&, const std::vector<double>&);
 template double least_period(const System<3>&, const std::vector<double>&);
 

@@ -11,9 +11,10 @@ namespace supple {
 /// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
 enum class Meeting { sites, facets };
 
-/// Radii within which sites may meet something [length]: their own, and half of the longest facet there.
+/// Radii within which sites may meet something [length]: their own times the range of the law, and half of
+/// the longest facet there.
 template <int Dim>
-std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting);
+std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range = 1);
 
 /// The shortest period in which every contact is with the nearest image, and with no other one [length]:
 /// twice the largest reach of two sites of different bodies, and the extent of every body along it. In a

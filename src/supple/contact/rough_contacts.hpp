@@ -7,8 +7,8 @@
 
 namespace supple {
 
-/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2. Bodies of one site
-/// are smooth discs. Same bits for any number of threads.
+/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2, or as far as the law
+/// goes. Bodies of one site are smooth discs. Same bits for any number of threads.
 class RoughContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
@@ -18,10 +18,11 @@ class RoughContacts final : public BodyContacts {
 
  private:
   struct Sum;
-  template <bool energies, bool links, class Visit>
-  void for_touching(const System<2>& system, int begin, int end, Sum& sum, const Visit& visit) const;
-  template <bool energies, bool links>
-  Sum add_all(const System<2>& system, Evaluation<2>& out);
+  template <bool energies, bool links, class Law, class Visit>
+  void for_touching(const System<2>& system, const Law& law, int begin, int end, Sum& sum,
+                    const Visit& visit) const;
+  template <bool energies, bool links, class Law>
+  Sum add_all(const System<2>& system, const Law& law, Evaluation<2>& out);
   void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
   bool is_linked(const System<2>& system, int row) const;

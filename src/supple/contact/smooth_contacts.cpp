@@ -24,8 +24,8 @@ struct Parts {
 };
 
 template <class S, class Flag>
-[[gnu::always_inline]] inline Parts<Flag> parts_of(const CornerPlace<S, Flag>& at, const S& sigma) {
-  const S limit = sigma * sigma;
+[[gnu::always_inline]] inline Parts<Flag> parts_of(const CornerPlace<S, Flag>& at, const S& reach) {
+  const S limit = reach * reach;
   const Flag near_edge = at.over_edge & (at.height * at.height < limit * at.square);
   const Flag near_corner = dot(at.to, at.to) < limit, outer = at.height >= 0.0;
   const Flag over_both = near_corner & at.over_start & at.over_last;
@@ -61,6 +61,7 @@ struct Scene {
   const System<2>& system;
   const std::vector<EdgeCandidate>& candidates;
   const std::vector<Vec2>& shifts;
+  double range;  ///< of the law, over sigma
 
   Vec2 vertex(std::int32_t k) const { return system.state.position[k]; }
   Vec2 point(const EdgeCandidate& c) const { return vertex(c.site) + shifts[c.image]; }
@@ -70,6 +71,7 @@ struct Scene {
   double sigma(const EdgeCandidate& c) const {
     return system.state.radius[c.site] + system.state.radius[c.start];
   }
+  double limit(const EdgeCandidate& c) const { return range * sigma(c); }
 };
 
 /// Four numbers side by side, in one register where there is one.
@@ -94,8 +96,8 @@ void select(const Scene& scene, std::vector<std::int32_t>& selected) {
     const auto at = place_at_corner(
         side_by_side(scene.point(c[0]), scene.point(c[1]), scene.point(c[2]), scene.point(c[3])),
         vertices(&EdgeCandidate::before), vertices(&EdgeCandidate::start), vertices(&EdgeCandidate::end));
-    const Four sigma{scene.sigma(c[0]), scene.sigma(c[1]), scene.sigma(c[2]), scene.sigma(c[3])};
-    const auto parts = parts_of(at, sigma);
+    const Four limit{scene.limit(c[0]), scene.limit(c[1]), scene.limit(c[2]), scene.limit(c[3])};
+    const auto parts = parts_of(at, limit);
     const auto matter = parts.act() | parts.behind();
     for (std::size_t lane = 0; lane < 4; ++lane) {
       selected[count] = static_cast<std::int32_t>(k + lane);
@@ -103,7 +105,7 @@ void select(const Scene& scene, std::vector<std::int32_t>& selected) {
     }
   }
   for (; k < n; ++k) {
-    const auto parts = parts_of(scene.place(scene.candidates[k]), scene.sigma(scene.candidates[k]));
+    const auto parts = parts_of(scene.place(scene.candidates[k]), scene.limit(scene.candidates[k]));
     selected[count] = static_cast<std::int32_t>(k);
     count += parts.act() | parts.behind();
   }
@@ -163,7 +165,7 @@ inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
     last = &c;
     const auto at = scene.place(c);
     const double sigma = scene.sigma(c);
-    const auto parts = parts_of(at, sigma);
+    const auto parts = parts_of(at, scene.limit(c));
     if (parts.act()) {
       const Part first = parts.faces_edge ? Part::edge : Part::corner;
       visit(c, first, foot_on(at, c, first), sigma, parts.faces_edge ? 1 : parts.corner());
@@ -193,7 +195,7 @@ void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
     const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
     const Vec2 r = state.position[j] - state.position[i] - shifts[candidates_.images().index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < sigma)) continue;
+    if (!(distance < law().range() * sigma)) continue;
     if (!linked_.empty() &&
         linked_.contains(touch_key(j, TouchOn::body, body_[i], candidates_.cells_of_row(row))))
       continue;
@@ -203,7 +205,7 @@ void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
 
 /// Selects what matters now, less the contacts of linked pairs.
 void SmoothContacts::select_acting(const System<2>& system) {
-  select({system, candidates_.all(), candidates_.shifts(system.box)}, selected_);
+  select({system, candidates_.all(), candidates_.shifts(system.box), law().range()}, selected_);
   if (linked_.empty()) return;
   std::erase_if(selected_, [&](std::int32_t k) {
     const EdgeCandidate& c = candidates_.all()[k];
@@ -212,14 +214,13 @@ void SmoothContacts::select_acting(const System<2>& system) {
 }
 
 void SmoothContacts::update(const System<2>& system) {
-  candidates_.update(system);
+  candidates_.update(system, law().range());
   linked_.update(system, meeting());
   if (!linked_.empty()) body_ = bodies_of_sites(system.topology, system.state.size());
 }
 
-template <bool energies>
-void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& sum) {
-  const Harmonic law_here = law();
+template <bool energies, class Law>
+void SmoothContacts::add_all(const System<2>& system, const Law& law_here, Evaluation<2>& out, Sum& sum) {
   Vec2* force = out.force.data();
   const auto push_off = [&](std::int32_t site, const Foot& touch, double sigma, double factor) {
     const Vec2 push = (factor * law_here.force(touch.distance, sigma)) * touch.normal;
@@ -234,7 +235,7 @@ void SmoothContacts::add_all(const System<2>& system, Evaluation<2>& out, Sum& s
     force[i] -= push_off(j, touch, sigma, 1);
   });
   select_acting(system);
-  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box)};
+  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), law().range()};
   walk(
       scene, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part, const Foot& touch, double sigma, int sign) {
@@ -249,8 +250,11 @@ void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation
   update(system);
   violations_ = 0;
   Sum sum;
-  if (detail == Detail::forces) return add_all<false>(system, out, sum);
-  add_all<true>(system, out, sum);
+  law().visit([&](const auto law_here) {
+    if (detail == Detail::forces) add_all<false>(system, law_here, out, sum);
+    else add_all<true>(system, law_here, out, sum);
+  });
+  if (detail == Detail::forces) return;
   out.energy.elastic += sum.energy;
   out.virial += sum.virial;
 }
@@ -279,7 +283,7 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
     ++touches;
   });
   select_acting(system);
-  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box)};
+  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), law().range()};
   walk(
       scene, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part part, const Foot& touch, double sigma, int sign) {

@@ -6,8 +6,8 @@
 
 namespace supple {
 
-/// Vertex against boundary [MacKeith 2025, eq. 9.5-9.9, corrected]. With phi(d) the harmonic law below d =
-/// sigma, half the sum over vertices i and other bodies of
+/// Vertex against boundary [MacKeith 2025, eq. 9.5-9.9, corrected]. With phi(d) the law below d =
+/// sigma, or as far as it goes, half the sum over vertices i and other bodies of
 ///     U_i = sum phi(d) over the edges that i faces  +  sum phi(|r_i - r_j|) over convex corners j that it is
 ///     in front of
 ///         - sum phi(|r_i - r_j|) over concave corners j where the strips of both edges overlap.
@@ -38,8 +38,8 @@ class SmoothContacts final : public BodyContacts {
 
  private:
   struct Sum;
-  template <bool energies>
-  void add_all(const System<2>& system, Evaluation<2>& out, Sum& sum);
+  template <bool energies, class Law>
+  void add_all(const System<2>& system, const Law& law, Evaluation<2>& out, Sum& sum);
 
   void update(const System<2>& system);
   void select_acting(const System<2>& system);

@@ -25,18 +25,19 @@ RecordPlace place_of(const ContactRecord<2>& record, const System<2>& system, co
   return {branch, length > 0 ? (1 / length) * along : record.normal};
 }
 
-double share_of(const ContactRecord<2>& record, const Harmonic& law) {
+double share_of(const ContactRecord<2>& record, const BodyLaw& law) {
   return record.multiplicity * law.force(record.distance(), record.reach);
 }
 
 /// Fills the frame of a touch from its records. The share of each one is its part of the elastic force at
 /// present, also at an earlier instant: the two sides are then the same points of the boundaries.
 void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRecord<2>> records,
-          const Harmonic& law, const Vec2& force, const std::vector<std::int32_t>& body, const Instant& at) {
+          const BodyLaw& law, const BodyTouch& touch, const std::vector<std::int32_t>& body,
+          const Instant& at) {
   const auto ring = [&](std::int32_t site) { return ring_of(system.topology, body[site]); };
   frame.clear();
-  const double per_force = 1 / norm(force);
-  const Vec2 n = per_force * force;
+  const double per_force = 1 / touch.normal_force();
+  const Vec2 n = per_force * touch.force;
   const ContactRecord<2>& any = records.front();
   const int own = any.weight[0] > 0 ? 0 : 1;
   const double share_i = system.state.radius[any.site[own]] / any.reach;
@@ -53,7 +54,8 @@ void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRec
   }
   frame.rotation.add_vertex(share_i, ring(any.site[own]), any.site[own], at);
   const double length = norm(frame.normal);
-  frame.normal = length > 0 ? (1 / length) * frame.normal : n;
+  const double to_unit = per_force < 0 ? -1 / length : 1 / length;
+  frame.normal = length > 0 ? to_unit * frame.normal : n;
 }
 
 }  // namespace
@@ -82,8 +84,8 @@ void TouchFriction::evaluate(const System<2>& system, double dt, Detail detail, 
 void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double dt, Evaluation<2>& out) {
   const std::span records(records_.data() + touch.first_record, static_cast<std::size_t>(touch.records));
   const Instant now{system.state}, then{system.state, 0.5 * dt};
-  fill(frame_, system, records, contacts_->law(), touch.force, body_, now);
-  if (dt > 0) fill(earlier_, system, records, contacts_->law(), touch.force, body_, then);
+  fill(frame_, system, records, contacts_->law(), touch, body_, now);
+  if (dt > 0) fill(earlier_, system, records, contacts_->law(), touch, body_, then);
   const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
   const Vec2 v = moved.velocity(then), n = frame_.normal;
   const TouchMotion motion{dot(v, moved.normal), dot(v, turned_left(moved.normal))};
@@ -91,9 +93,10 @@ void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double 
   const TouchKey key = key_of(records.front());
   const Touch* known = system.touches.find(key);
   // A spring acts on its sites with the square of their weights: never stiffer than it is.
-  const double u = known ? known->elongation : 0, leverage = frame_.leverage(records.front().reach),
+  const double u = known ? known->elongation : 0,
+               leverage = frame_.leverage(contacts_->law().range() * records.front().reach),
                scale = scale_of(system, key.site) / (leverage * leverage);
-  const TouchResponse r = respond_touch(law_, scale, norm(touch.force), motion, u, dt);
+  const TouchResponse r = respond_touch(law_, scale, touch.normal_force(), motion, u, dt);
   out.trial_touch.push_back({key, r.tangential.state, r.tangential.elongation});
   const Mat2 before = out.virial;
   frame_.scatter(r.viscous * n - r.tangential.force * turned_left(n), system.state, out);

@@ -10,8 +10,9 @@
 namespace supple {
 
 /// Acts on every touch (sum_touches) of given contacts, whose elastic force F they add themselves: along
-/// n = F/|F| a dashpot, along t a spring and dashpot up to mu |F|. A touch of several records has the mean
-/// of their weights and of the rotations of their edges, each weighted by its part of F along n.
+/// n = F/|F| (-F/|F| where it pulls) a dashpot, along t a spring and dashpot up to mu |F|, or 0 where F
+/// pulls. A touch of several records has the mean of their weights and of the rotations of their edges, each
+/// weighted by its part of F along n.
 ///
 /// The elongation u (System::touches) follows the motion v.t of half of dt ago, about the positions of then.
 /// So a pair that turns rigidly by straight steps, as a leapfrog makes them, winds up nothing at any step.

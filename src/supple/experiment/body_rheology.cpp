@@ -89,7 +89,7 @@ int crosslink_bodies(const Case& c, Packing& packing) {
   packing.field->evaluate(packing.system, Detail::forces, evaluation);
   std::vector<TouchingSites> touching;
   for (const ContactRecord<2>& record : packing.field->bodies()->records(packing.system))
-    if (record.multiplicity > 0) touching.push_back(touching_sites(record));
+    if (record.multiplicity > 0 && record.gap < 0) touching.push_back(touching_sites(record));
   CrosslinkSpec spec = crosslink_spec(c);
   spec.cut_top_bottom = false;  // there are no plates
   link_bodies(packing.system, std::move(touching), spec, static_cast<std::uint64_t>(c.general.seed));

@@ -1,5 +1,7 @@
 #include "supple/experiment/case.hpp"
 
+#include "supple/contact/laws/list.hpp"
+
 namespace supple {
 
 namespace {
@@ -39,12 +41,7 @@ const Fields<Material>& fields() {
       {"relative_viscosity", &M::relative_viscosity, "", "viscosity over sqrt(m k) (S1-9)", not_negative},
       {"relative_transversal_link_strength", &M::relative_transversal_link_strength, "",
        "tangential over central stiffness, k_t/k", not_negative},
-      {"elastic_law",
-       &M::elastic_law,
-       "",
-       "repulsion of discs",
-       any_value,
-       {"divergent", "linear", "hertz", "plateau", "expression"}},
+      {"elastic_law", &M::elastic_law, "", "elastic law of contacts of discs", any_value, laws_of_discs()},
       {"elastic_expression", &M::elastic_expression, "N/m",
        "repulsion as an expression of d, d0, k, c (law \"expression\")"},
       {"central_repulsion_coefficient", &M::central_repulsion_coefficient, "",

@@ -87,7 +87,7 @@ struct Bodies {
 };
 
 struct ContactOfBodies {
-  std::string kind = "rough";
+  std::string kind = "rough", law = "linear";
   double k_c = 1, k_p = 4, floor_friction = 0.1;
   std::string unsound = "stop";  ///< what happens when particles get into each other
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/contact/laws/list.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/model/polygons.hpp"
@@ -93,6 +94,7 @@ const Fields<ContactOfBodies>& fields() {
        "vertices as discs (9.3), or smooth boundaries (9.5, by inclusion-exclusion)",
        any_value,
        {"rough", "smooth"}},
+      {"law", &T::law, "", "elastic law of contacts, of stiffness k_c", any_value, laws_of_bodies()},
       {"k_c",
        &T::k_c,
        "",

@@ -123,7 +123,7 @@ void append_links(const System<2>& system, const Evaluation<2>& evaluation, std:
 }  // namespace
 
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
-                 const std::vector<ContactRecord<2>>& records, const Harmonic& law) {
+                 const std::vector<ContactRecord<2>>& records, const BodyLaw& law) {
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
   const Rubbing rubbing(evaluation);

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "supple/contact/laws/harmonic.hpp"
+#include "supple/contact/laws/body.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/experiment/recorder.hpp"
 
@@ -14,7 +14,7 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 /// The same of bodies with these contacts: rows ascending, with the friction and the links of the evaluation.
 /// Two corners that meet head on, each of which acts on the other's edges, are one row.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
-                 const std::vector<ContactRecord<2>>& records, const Harmonic& law);
+                 const std::vector<ContactRecord<2>>& records, const BodyLaw& law);
 
 /// The stress tensor of each body, compression positive, as numbers stress_xx ... stress_yy; xy: force along
 /// x, line of action along y. Of a disc: (1/2 pi r^2) sum F l^T over its contacts.

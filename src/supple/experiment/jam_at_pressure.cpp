@@ -15,9 +15,7 @@ namespace {
 class Softened {
  public:
   Softened(BodyContacts& contacts, double factor) : contacts_(contacts), law_(contacts.law()) {
-    Harmonic soft = law_;
-    soft.stiffness *= factor;
-    contacts_.set_law(soft);
+    contacts_.set_law(law_.stiffer(factor));
   }
   ~Softened() { contacts_.set_law(law_); }
   Softened(const Softened&) = delete;
@@ -25,7 +23,7 @@ class Softened {
 
  private:
   BodyContacts& contacts_;
-  Harmonic law_;
+  BodyLaw law_;
 };
 
 /// Stiffness of contacts and pressure on the way, as shares of what they are at the end.

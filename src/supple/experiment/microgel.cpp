@@ -90,19 +90,16 @@ double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double s
 }
 
 Repulsion make_repulsion(const Material& m, double share) {
-  if (m.elastic_law == "linear") return Divergent(0);
-  if (m.elastic_law == "hertz") return Hertz();
-  if (m.elastic_law == "plateau") return Plateau(share, m.plateau_begin, m.plateau_end, m.plateau_slope);
+  ElasticParameters parameters{share, m.plateau_begin, m.plateau_end, m.plateau_slope};
   if (m.elastic_law == "expression") {
     const auto formula = std::make_shared<Expression>(
         m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"}, "[material] elastic_expression");
-    return Tabulated(
-        [=](double d, double d0, double stiffness, double coefficient) {
-          return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
-        },
-        share, "[material] elastic_expression \"" + m.elastic_expression + "\"");
+    parameters.formula = [=](double d, double d0, double stiffness, double coefficient) {
+      return (*formula)(std::vector<double>{d, d0, stiffness, coefficient});
+    };
+    parameters.formula_is = "[material] elastic_expression \"" + m.elastic_expression + "\"";
   }
-  return Divergent(share);
+  return make_elastic(m.elastic_law, parameters);
 }
 
 MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {

@@ -23,7 +23,9 @@ namespace supple {
 
 namespace {
 
-Harmonic contact_law(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
+Harmonic springs_of(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
+
+BodyLaw contact_law(const Case& c) { return {springs_of(c), make_elastic(c.contact.law)}; }
 
 double mean_radius(const System<2>& system) {
   double sum = 0;
@@ -34,7 +36,7 @@ double mean_radius(const System<2>& system) {
 }  // namespace
 
 std::shared_ptr<ForceField> make_body_field(const Case& c) {
-  const Harmonic law = contact_law(c);
+  const BodyLaw law = contact_law(c);
   std::shared_ptr<BodyContacts> contacts;
   if (c.contact.kind == "smooth") contacts = std::make_shared<SmoothContacts>(law);
   else contacts = std::make_shared<RoughContacts>(law);
@@ -45,7 +47,7 @@ std::shared_ptr<ForceField> make_body_field(const Case& c) {
 
 WallLaw wall_law(const Case& c) {
   WallLaw walls;
-  walls.repulsion = contact_law(c);
+  walls.repulsion = springs_of(c);
   walls.repulsion.stiffness *= c.contact.k_p;
   walls.floor_friction = c.contact.floor_friction;
   return walls;
@@ -120,7 +122,7 @@ Packing packing_of(const Case& c, System<2> system) {
   p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
   if (const Soundness s = look_at(p); must_stop(p, s))
     throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
-  const Harmonic law = contact_law(c);
+  const Harmonic law = springs_of(c);
   const auto& stiffness = p.system.shape.stiffness;
   double smallest = 0;
   for (std::size_t b = 0; b < stiffness.size(); ++b) {

@@ -100,7 +100,7 @@ void require_going_on(Packing& packing, const MinimiseReport& report);
 
 /// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V =
 /// sum f r <= sqrt(2 U K), K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without
-/// energy.
+/// energy, and where contacts are not harmonic.
 double least_energy(Packing& packing, double pressure);
 
 /// The packing fraction as it is now; for rough particles by the published sum, which is much faster and as

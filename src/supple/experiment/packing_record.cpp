@@ -83,7 +83,7 @@ void begin_packing(Packing& packing, const std::vector<Derived>& constants, Reco
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   recorder.begin(make_run_info(packing.system, reduced_units()));
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
-  const Harmonic law = packing.field->bodies()->law();
+  const Harmonic law = packing.field->bodies()->law().scale();
   recorder.value(material_group, {contact_stiffness, "", "k_c of contacts"}, law.stiffness);
   recorder.value(material_group,
                  {contact_is_relative, "", "1: energy (k_c/2)(1 - r/sigma)^2; 0: (k_c/2)(sigma - r)^2"},

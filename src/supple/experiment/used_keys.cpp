@@ -15,6 +15,10 @@ namespace {
 
 bool has_links(const Case& c) { return c.particles.permanent_links; }
 bool has_plateau(const Case& c) { return c.material.elastic_law == "plateau"; }
+bool has_central_share(const Case& c) {
+  const std::string& law = c.material.elastic_law;
+  return law == "divergent" || law == "plateau" || law == "expression";
+}
 bool has_polygons(const Case& c) { return c.bodies.family != "disc"; }
 bool is_soft(const Case& c) { return has_polygons(c) && c.bodies.family != "rough_disc"; }
 
@@ -49,8 +53,7 @@ const std::vector<Need>& needs() {
        "material.elastic_law = \"expression\""},
       {"material.plateau_begin material.plateau_end material.plateau_slope", value, has_plateau,
        "material.elastic_law = \"plateau\""},
-      {"material.central_repulsion_coefficient", value,
-       [](const Case& c) { return c.material.elastic_law != "linear" && c.material.elastic_law != "hertz"; },
+      {"material.central_repulsion_coefficient", value, has_central_share,
        "material.elastic_law = \"divergent\", \"plateau\" or \"expression\""},
       {"box.plates", value, [](const Case& c) { return c.box.boundary != "periodic"; },
        "box.boundary = \"lees_edwards\" or \"fixed\""},

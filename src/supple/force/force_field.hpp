@@ -22,9 +22,10 @@ namespace supple {
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
-      : contacts_(std::move(contacts)), neighbors_(relative_skin) {}
+      : contacts_(std::move(contacts)),
+        neighbors_(relative_skin, Meeting::sites, range_of(contacts_.repulsion())) {}
   explicit ForceField(std::shared_ptr<BodyContacts> contacts, double relative_skin = default_skin)
-      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting()) {}
+      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting(), bodies_->law().range()) {}
 
   void evaluate(System<2>& system, Detail detail, Evaluation<2>& out) {
     neighbors_.update(system);

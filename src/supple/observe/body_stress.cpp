@@ -85,7 +85,7 @@ std::vector<Mat2> BodyStresses::of_bodies(std::span<const double> area) const {
 }
 
 BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_force,
-                           const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+                           const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
                            std::span<const SiteForce<2>> wall) {
   const State<2>& state = system.state;
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, state.size());

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "supple/contact/laws/harmonic.hpp"
+#include "supple/contact/laws/body.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/model/evaluation.hpp"
@@ -43,7 +43,7 @@ inline double shear_stress(const Mat2& stress) { return -0.5 * (stress[0][1] + s
 /// the two circles cross (the contact line of 9.27), for sites of equal radius in halves: the shares add to
 /// one, so that the moments of bodies add to the whole.
 BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_force,
-                           const std::vector<ContactRecord<2>>& records, const Harmonic& law,
+                           const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
                            std::span<const SiteForce<2>> wall = {});
 
 /// The same of a force field of bodies, at the instant of `evaluation`. The shape forces of rigid bodies are

@@ -17,18 +17,21 @@ struct SiteContact {
   Vec2 force;  ///< on `site`, along a line through it
   /// The copy of the other body that is met is displaced by this from its unwrapped sites.
   Vec2 shift{};
+  bool pulls = false;  ///< the site toward the other body
+  bool holds = false;  ///< both ways: it takes energy to open it too
 
-  double normal_force() const { return norm(force); }
+  /// Positive: repulsion.
+  double normal_force() const { return pulls ? -norm(force) : norm(force); }
 };
 
 /// The contacts of these records under their law, in the order in which they act.
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                       const Harmonic& law);
+                                       const BodyLaw& law);
 
 /// Mean depth of these contacts: how much nearer a site is to the other body than where they meet, over that
 /// distance; 0 without any.
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                    const Harmonic& law);
+                    const BodyLaw& law);
 
 /// The bodies that touch each other, or a wall. Two bodies that meet through two images, as in a very small
 /// cell, are two pairs: each of them has two neighbours.

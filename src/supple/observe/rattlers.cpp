@@ -81,8 +81,11 @@ std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vect
   for (const SiteContact& c : contacts) {
     if (c.body == c.other_body) continue;  // an image of itself moves with it
     const Vec2& at = system.state.position[c.site];
-    pushes.add(c.body, c.other_body, c.force, at);
-    pushes.add(c.other_body, c.body, -c.force, at - c.shift);
+    for (const double sign : {1.0, -1.0}) {
+      if (sign < 0 && !c.holds) continue;
+      pushes.add(c.body, c.other_body, sign * c.force, at);
+      pushes.add(c.other_body, c.body, -sign * c.force, at - c.shift);
+    }
   }
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   for (const Link& link : system.links) {  // holds both ways

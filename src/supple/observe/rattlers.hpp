@@ -20,7 +20,7 @@ struct OutsideForces {
 /// sum f_c w_c = 0 with the wrench w_c (force, torque) of a unit push at contact c. So a particle squeezed by
 /// two opposite contacts is none, and one with six contacts on one side is. Rattlers are removed with their
 /// contacts until none is left. A particle that rests on a floor is held by its weight; one with a site that
-/// cannot move is held. A link holds both ways.
+/// cannot move is held. A link holds both ways, and so does a contact that attracts.
 ///
 /// Wrenches are taken with torques over the outer radius; a motion of size 1 must open every contact at a
 /// rate of `least_rate` at least, as forces balance to the tolerance of a minimisation only.

@@ -10,7 +10,7 @@ double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
   double sum = 0;
   const std::vector<ContactRecord<2>> records = contacts.records(system);
   for (const ContactRecord<2>& r : records)
-    sum += std::abs(r.multiplicity) * contacts.law().force(r.distance(), r.reach);
+    sum += std::abs(r.multiplicity * contacts.law().force(r.distance(), r.reach));
   return records.empty() ? 0 : sum / static_cast<double>(records.size());
 }
 

@@ -1,6 +1,8 @@
 /// The contact law of microgel discs: elastic, viscous and tangential parts, for contacts and permanent
 /// links.
 #pragma once
+#include <algorithm>
+
 #include "supple/contact/laws/elastic.hpp"
 #include "supple/contact/laws/friction.hpp"
 
@@ -35,14 +37,15 @@ struct DiscResponse {
   TangentialResponse tangential;
 };
 
-/// A touching pair (d < d0): repulsion, viscosity, Coulomb friction with limit mu F_el. `slip`: of law.slip.
+/// A touching pair (d < range d0): elastic force, viscosity, Coulomb friction with limit mu F_el: what pulls
+/// does not rub. `slip`: of law.slip.
 template <class Repulsion>
 DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const SlipRule& slip,
                              const PairMotion& m, double u, double dt) {
   const PairStiffness& s = law.contact;
   const double elastic = repulsion.force(m.d, m.d0, s.k);
   return {elastic, -s.eta * m.v_n,
-          coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::abs(law.friction * elastic), slip)};
+          coulomb(u, m.v_t, dt, s.k_t, s.eta_t, std::max(law.friction * elastic, 0.0), slip)};
 }
 
 template <class Repulsion>
@@ -64,7 +67,10 @@ DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const 
 template <class Repulsion>
 double elastic_energy(const Repulsion& repulsion, const DiscLaw& law, double d, double d0, bool linked) {
   const double k = linked ? law.link.k : law.contact.k;
-  return d < d0 ? repulsion.energy(d, d0, k) : law.tension.energy(d, d0, k);
+  if (linked && !(d < d0)) return law.tension.energy(d, d0, k);
+  const double rest =
+      linked && range_of(repulsion) > 1 ? repulsion.energy(d0, d0, k) : 0;  // a link has no well
+  return repulsion.energy(d, d0, k) - rest;
 }
 
 }  // namespace supple

@@ -1,11 +1,28 @@
-/// Elastic repulsion of two discs: force and energy as functions of the centre distance d < d0, d0 = r_i +
-/// r_j. Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force =
-/// -d(energy)/dd, both zero at d0; k [force/length]. Figure S1-3 compares them.
+/// Elastic laws of two sites: force and energy as functions of the distance d, d0 where their surfaces meet.
+/// Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force =
+/// -d(energy)/dd, both zero where it ends, and stiffness(d, d0, k) = -d(force)/dd; k [force/length]. It ends
+/// at d0, or at range() d0 where it has one. Figure S1-3 compares them.
 #pragma once
 #include <cmath>
 #include <string_view>
 
 namespace supple {
+
+/// Distance at which a law ends, over that at which surfaces meet; beyond 1 it attracts.
+template <class Law>
+constexpr double range_of(const Law& law) {
+  if constexpr (requires { law.range(); }) return law.range();
+  else return 1;
+}
+
+/// F = k (d0 - d), at any overlap [MacKeith 2025, eq. 9.3].
+class Linear {
+ public:
+  static constexpr std::string_view name = "linear";
+  double force(double d, double d0, double k) const { return k * (d0 - d); }
+  double energy(double d, double d0, double k) const { return 0.5 * k * (d0 - d) * (d0 - d); }
+  double stiffness(double, double, double k) const { return k; }
+};
 
 /// Linear to divergent (S1-5a, S1-5b, S1-6): F = k [ (1-c) delta + c delta d0/d ], delta = d0 - d, at most
 /// 1000 k d0. c = 1: divergent at d = 0 (default); c = 0: linear.
@@ -23,9 +40,13 @@ class Divergent {
   }
   double energy(double d, double d0, double k) const {
     const double x = x_cap_ * d0;
-    if (d < x) return energy(x, d0, k) + (x - d) * cap * k * d0;
+    if (d < x && c_ > 0) return energy(x, d0, k) + (x - d) * cap * k * d0;
     const double delta = d0 - d;
     return k * (0.5 * (1 - c_) * delta * delta + (c_ > 0 ? c_ * d0 * (d0 * std::log(d0 / d) - delta) : 0));
+  }
+  double stiffness(double d, double d0, double k) const {
+    if (d <= x_cap_ * d0) return c_ > 0 ? 0 : k;
+    return k * ((1 - c_) + c_ * (d0 / d) * (d0 / d));
   }
 
  private:
@@ -52,6 +73,7 @@ class Hertz {
     const double delta = d0 - d;
     return 0.4 * prefactor(d0, k) * delta * delta * std::sqrt(delta);
   }
+  double stiffness(double d, double d0, double k) const { return 1.5 * prefactor(d0, k) * std::sqrt(d0 - d); }
 
  private:
   static double prefactor(double d0, double k) {
@@ -81,6 +103,10 @@ class Plateau {
     if (d >= end) return u(d);
     if (d >= begin) return u(end) + (u(d) - u(end)) / slope_;
     return u(end) + (u(begin) - u(end)) / slope_ + (u(d) - u(begin)) / inner_slope_;
+  }
+  double stiffness(double d, double d0, double k) const {
+    const double slope = d >= end_ * d0 ? 1 : d >= begin_ * d0 ? slope_ : inner_slope_;
+    return slope * law_.stiffness(mapped(d, d0), d0, k);
   }
 
  private:

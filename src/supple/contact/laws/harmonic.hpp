@@ -1,4 +1,4 @@
-/// The harmonic repulsion of vertices, edges and walls.
+/// The springs of vertices, edges and walls.
 #pragma once
 
 namespace supple {

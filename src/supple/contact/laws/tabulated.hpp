@@ -32,6 +32,12 @@ class Tabulated {
     return k * d0 * (cell.a + s * (cell.b + s * (cell.c + s * cell.d)));
   }
   double energy(double d, double d0, double k) const;
+  double stiffness(double d, double d0, double k) const {
+    const double x = d / d0;
+    const Cell& cell = cell_at(clamped(x));
+    const double s = x - cell.start;
+    return x < least ? 0 : -k * (cell.b + s * (2 * cell.c + s * 3 * cell.d));
+  }
 
   /// Largest |spline - law| / (k d0) seen on four points of every cell, relative to max(1, F / (k d0)).
   double error_bound() const { return error_bound_; }

@@ -36,12 +36,14 @@ struct TouchResponse {
   TangentialResponse tangential;
 };
 
-/// `elastic`: repulsion of the whole contact, positive; `scale`: of its elastic energy.
+/// `elastic`: of the whole contact, positive: repulsion; `scale`: of its elastic energy. What pulls does not
+/// rub, and its dashpot does not add to the pull unless that is allowed.
 inline TouchResponse respond_touch(const TouchLaw& law, double scale, double elastic, const TouchMotion& m,
                                    double u, double dt) {
+  const double repulsion = std::max(elastic, 0.0);
   const double free = -scale * law.eta * m.v_n, k_t = scale * law.k_t;
-  const double viscous = law.pull == ViscousPull::allowed ? free : std::max(free, -elastic);
-  return {viscous, coulomb(u, m.v_t, dt, k_t, scale * law.eta_t, law.friction * elastic, {law.slip, k_t})};
+  const double viscous = law.pull == ViscousPull::allowed ? free : std::max(free, -repulsion);
+  return {viscous, coulomb(u, m.v_t, dt, k_t, scale * law.eta_t, law.friction * repulsion, {law.slip, k_t})};
 }
 
 /// A permanent link: central spring both ways, dashpot, and a tangential bond without a Coulomb limit.
