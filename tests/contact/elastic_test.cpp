@@ -44,11 +44,12 @@ std::vector<Law> every_law() {
   const Tabulated formula(
       [](double d, double r, double stiffness, double) { return stiffness * (r - d) * (r - d) / r; }, 1,
       "k (d0 - d)^2 / d0");
-  static_assert(std::variant_size_v<Repulsion> == 5, "add the new law to this list");
+  static_assert(std::variant_size_v<Repulsion> == 6, "add the new law to this list");
   return {law("divergent, c = 1", Divergent(1), 1e-4, 1, {1 / 1001.0}),
           law("divergent, c = 0.4", Divergent(0.4), 1e-4, 1, {0.0004}),
           law("linear", Linear(), 1e-4, 1),
           law("divergent, c = 0", Divergent(0), 1e-4, 1),
+          law("adhesive", Adhesive(0.3), 1e-4, 1.3, {1.15}),
           law("hertz", Hertz(), 1e-4, 1),
           law("plateau", Plateau(1, 0.3, 0.8, 0.1), 1e-3, 1, {0.3, 0.8}),
           law("linear plateau", Plateau(0, 0.4, 0.7, 0.3), 1e-3, 1, {0.4, 0.7}),
@@ -93,7 +94,7 @@ TEST(ElasticLaw, StiffnessIsMinusTheSlopeOfTheForce) {
           << l.name << " at d/d0 = " << d / d0;
     }
   }
-  EXPECT_EQ(laws, 8);
+  EXPECT_EQ(laws, 9);
 }
 
 TEST(ElasticLaw, ForceAndEnergyVanishWhereTheyEnd) {

@@ -200,7 +200,7 @@ TEST(RecordPaths, FastLoopOverDiscsAgreesWithTheReferencePath) {
   int slipping = 0, sticking = 0, linked = 0;
   for (const Slip slip : {Slip::clamp, Slip::freeze, Slip::reset})
     for (const Repulsion& repulsion : {Repulsion(Divergent(1)), Repulsion(Divergent(0.3)), Repulsion(Hertz()),
-                                       Repulsion(Plateau(1, 0.3, 0.8, 0.1))})
+                                       Repulsion(Plateau(1, 0.3, 0.8, 0.1)), Repulsion(Adhesive(0.2))})
       for (const double strain : {0.0, 0.37, -2.2}) {
         System<2> system = random_discs_in_motion<2>(40, strain, 6);
         const DiscLaw law{

@@ -24,6 +24,7 @@ struct Material {
   double central_repulsion_coefficient = 1;
   double plateau_begin = 0.3, plateau_end = 0.8, plateau_slope = 0.1;
   double tensile_range = 0.2;
+  double attraction_range = 0.1;
   double interface_reenforcement_central = 1, interface_reenforcement_tangential = 1;
   bool keep_viscosity_coefficients_constant = false;
   std::string slip = "clamp", lever_arm = "distance";
@@ -88,6 +89,7 @@ struct Bodies {
 
 struct ContactOfBodies {
   std::string kind = "rough", law = "linear";
+  double attraction_range = 0.1;
   double k_c = 1, k_p = 4, floor_friction = 0.1;
   std::string unsound = "stop";  ///< what happens when particles get into each other
 };

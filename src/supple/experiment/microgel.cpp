@@ -90,7 +90,7 @@ double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double s
 }
 
 Repulsion make_repulsion(const Material& m, double share) {
-  ElasticParameters parameters{share, m.plateau_begin, m.plateau_end, m.plateau_slope};
+  ElasticParameters parameters{share, m.plateau_begin, m.plateau_end, m.plateau_slope, m.attraction_range};
   if (m.elastic_law == "expression") {
     const auto formula = std::make_shared<Expression>(
         m.elastic_expression, std::vector<std::string>{"d", "d0", "k", "c"}, "[material] elastic_expression");

@@ -25,7 +25,9 @@ namespace {
 
 Harmonic springs_of(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
 
-BodyLaw contact_law(const Case& c) { return {springs_of(c), make_elastic(c.contact.law)}; }
+BodyLaw contact_law(const Case& c) {
+  return {springs_of(c), make_elastic(c.contact.law, {.attraction_range = c.contact.attraction_range})};
+}
 
 double mean_radius(const System<2>& system) {
   double sum = 0;

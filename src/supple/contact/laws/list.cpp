@@ -19,6 +19,7 @@ const std::vector<NamedLaw>& elastic_laws() {
        false},
       {"expression",
        [](const P& p) -> Repulsion { return Tabulated(p.formula, p.central_share, p.formula_is); }, false},
+      {"adhesive", [](const P& p) -> Repulsion { return Adhesive(p.attraction_range); }, true},
   };
   return all;
 }

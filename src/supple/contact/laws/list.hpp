@@ -4,13 +4,14 @@
 #include <variant>
 #include <vector>
 
+#include "supple/contact/laws/adhesive.hpp"
 #include "supple/contact/laws/disc.hpp"
 #include "supple/contact/laws/elastic.hpp"
 #include "supple/contact/laws/tabulated.hpp"
 
 namespace supple {
 
-using Repulsion = std::variant<Linear, Divergent, Hertz, Plateau, Tabulated>;
+using Repulsion = std::variant<Linear, Divergent, Hertz, Plateau, Tabulated, Adhesive>;
 
 /// range_of the law that it is.
 inline double range_of(const Repulsion& law) {
@@ -21,6 +22,7 @@ inline double range_of(const Repulsion& law) {
 struct ElasticParameters {
   double central_share = 1;  ///< c of Divergent, Plateau and formulas
   double plateau_begin = 0.3, plateau_end = 0.8, plateau_slope = 0.1;  ///< Plateau
+  double attraction_range = 0.1;                                       ///< Adhesive
   RepulsionFunction formula = {};
   std::string formula_is = {};  ///< for errors: what the formula is and where it was given
 };

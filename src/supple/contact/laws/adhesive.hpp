@@ -1,0 +1,33 @@
+/// Attraction of short range: surfaces that touch stick until they are pulled apart.
+#pragma once
+
+namespace supple {
+
+/// F = k (d0 - d) up to half of the range beyond contact, and from there back to zero, F = -k (d0 (1 + w) -
+/// d); nothing from d0 (1 + w) on. Conservative and continuous: U = (k/2) (d0 - d)^2 - k (w d0)^2/4, then
+/// -(k/2) (d0 (1 + w) - d)^2, of depth k (w d0)^2/4 at contact; the largest pull is k w d0/2 [Lois,
+/// Blawzdziewicz & O'Hern 2008; Irani, Chaudhuri & Heussinger 2014, with w = 2u]. w: `range`, a share of d0.
+class Adhesive {
+ public:
+  explicit Adhesive(double range) : w_(range) {}
+
+  double range() const { return 1 + w_; }
+  double force(double d, double d0, double k) const {
+    return pulls_less(d, d0) ? (d < range() * d0 ? -k * (range() * d0 - d) : 0) : k * (d0 - d);
+  }
+  double energy(double d, double d0, double k) const {
+    const double left = range() * d0 - d, depth = 0.5 * w_ * d0;
+    if (pulls_less(d, d0)) return left > 0 ? -0.5 * k * left * left : 0;
+    return 0.5 * k * (d0 - d) * (d0 - d) - k * depth * depth;
+  }
+  double stiffness(double d, double d0, double k) const {
+    return pulls_less(d, d0) ? (d < range() * d0 ? -k : 0) : k;
+  }
+
+ private:
+  /// Beyond the largest pull.
+  bool pulls_less(double d, double d0) const { return d > (1 + 0.5 * w_) * d0; }
+  double w_;
+};
+
+}  // namespace supple
