@@ -15,6 +15,17 @@ double kinetic_energy_now(const State<2>& s) {
   return sum;
 }
 
+/// Work per time of all forces at the velocities as they stand.
+double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
+  const State<2>& s = system.state;
+  double power = 0;
+  for (int i = 0; i < s.size(); ++i) {
+    if (s.mobility[i] == Mobility::free) power += dot(evaluation.force[i], s.velocity[i]);
+    power += evaluation.torque[i] * s.spin[i];
+  }
+  return power;
+}
+
 /// What moves the plates does work against the contacts of their discs.
 double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
@@ -65,7 +76,24 @@ void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>
   kinetic_ = now;
 }
 
-void EnergyBalance::book_contacts(const System<2>& system) { kinetic_ = kinetic_energy_now(system.state); }
+// A change of velocities by dv at an instant takes m (v_before + F left/m + dv/2) dv: that of the velocities
+// as they stand, and F dv left.
+void EnergyBalance::book_at_instant(double EnergyFlows::*part, double sign, const System<2>& system,
+                                    const Evaluation<2>& evaluation, double left) {
+  const double power = power_now(system, evaluation);
+  flows_.*part += sign * left * (power - power_);
+  power_ = power;
+  book(part, sign, system);
+}
+
+void EnergyBalance::meet(const System<2>& system, const Evaluation<2>& evaluation) {
+  power_ = power_now(system, evaluation);
+}
+
+void EnergyBalance::book_contacts(const System<2>& system, const Evaluation<2>& evaluation) {
+  kinetic_ = kinetic_energy_now(system.state);
+  meet(system, evaluation);
+}
 
 void EnergyBalance::book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time) {
   flows_.plates += time * plate_power(system, evaluation);

@@ -45,8 +45,14 @@ class EnergyBalance {
 
   /// Books the change of kinetic energy since the last booking as work (sign +1) or as loss (-1).
   void book(double EnergyFlows::*flow, double sign, const System<2>& system);
+  /// The same for a change at the instant of the forces that stand in meet(), made while these have yet to
+  /// act for `left` until then (negative: have acted beyond it): of the velocities of that instant.
+  void book_at_instant(double EnergyFlows::*flow, double sign, const System<2>& system,
+                       const Evaluation<2>& evaluation, double left);
+  /// The forces of another instant, before anything changes the velocities.
+  void meet(const System<2>& system, const Evaluation<2>& evaluation);
   /// The kinetic energy that changed since the last booking came from the contacts.
-  void book_contacts(const System<2>& system);
+  void book_contacts(const System<2>& system, const Evaluation<2>& evaluation);
   /// Work of plates and images while these forces act for `time` at the present velocities.
   void book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time);
   /// What the contacts lost over the step that led to this evaluation, `time` long.
@@ -59,6 +65,7 @@ class EnergyBalance {
  private:
   EnergyFlows flows_;
   double energy_at_opening_ = 0, kinetic_ = 0;
+  double power_ = 0;  ///< of the forces, at the last booking
 };
 
 }  // namespace supple

@@ -102,15 +102,16 @@ void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, doubl
   if (account_) {
     account_->book_boundaries(system, evaluation_, half_before);
     account_->book_losses(evaluation_, system.lag);
+    account_->meet(system, evaluation_);
   }
   forces_.commit(system, evaluation_);
   set_strain_rate(system, rates.mid);
-  if (account_) account_->book(&EnergyFlows::shear_rate, 1, system);
+  if (account_) account_->book_at_instant(&EnergyFlows::shear_rate, 1, system, evaluation_, half_before);
   kick(system, evaluation_, half_before + half_after);
-  if (account_) account_->book_contacts(system);
+  if (account_) account_->book_contacts(system, evaluation_);
   if (damping != 1) damp_bodies(system, damping);
   if (account_) {
-    account_->book(&EnergyFlows::background, -1, system);
+    account_->book_at_instant(&EnergyFlows::background, -1, system, evaluation_, -half_after);
     account_->book_boundaries(system, evaluation_, half_after);
   }
   if (drift(system, dt)) forces_.invalidate();  // its contacts are with other images now
