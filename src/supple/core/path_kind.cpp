@@ -46,6 +46,12 @@ void check_can_read(const std::string& path, const std::string& kind) {
   if (readable_kind(path, kind) == PathKind::pipe) throw cannot_read(path, kind, "it is a pipe, not a file");
 }
 
+void make_folder(const std::string& path) {
+  if (path_kind(path) == PathKind::folder) return;
+  if (mkdir(path.c_str(), 0777) != 0)
+    throw file_error("cannot make the folder " + path, std::strerror(errno));
+}
+
 std::string read_whole_file(const std::string& path, const std::string& kind, std::size_t most) {
   readable_kind(path, kind);
   std::ifstream file(path, std::ios::binary);

@@ -15,6 +15,9 @@ PathKind path_kind(const std::string& path);
 /// Throws a file error unless `path` is a file that may be read; `kind` says what was wanted, "a state".
 void check_can_read(const std::string& path, const std::string& kind);
 
+/// Makes a folder where there is none. Throws a file error where it cannot be made, or is something else.
+void make_folder(const std::string& path);
+
 /// All bytes of a file or pipe. Throws a file error, as above, or where it is longer than `most` bytes.
 std::string read_whole_file(const std::string& path, const std::string& kind, std::size_t most);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "supple/core/error.hpp"
+#include "supple/core/path_kind.hpp"
 #include "supple/draw/scene/frame_scene.hpp"
 #include "supple/io/export/xyz.hpp"
 
@@ -65,7 +66,7 @@ void export_vtp(const RunFile& run, const std::string& path, Existing existing, 
   check_can_export_vtp(path, existing);
   const std::string folder = frame_folder(path);
   if (existing == Existing::replace) remove_numbered_files(folder, "frame");
-  fs::create_directories(folder);
+  make_folder(folder);
   const RunInfo info = run.info();
   std::vector<PvdEntry> frames;
   for (const auto& [time, k] : instants(run)) {
