@@ -250,22 +250,6 @@ TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
   EXPECT_THAT(file_error_of([&] { run.value("results", "G"); }), HasSubstr("no number 'G'"));
 }
 
-/// A folder of segments that was copied in part.
-TEST_F(RunFileTest, ASegmentThatIsCutOffSaysHowToReadThoseBeforeIt) {
-  {
-    FileRecorder to = recorder(always);
-    record_sample(to, discs, steps);
-  }
-  const std::string folder = path() + ".partial", cut = folder + "/segment-000002.h5";
-  const std::string whole = content_of(cut);
-  write_content(cut, whole.substr(0, whole.size() / 2));
-  const std::string said = file_error_of([&] { RunFile{path()}; });
-  EXPECT_THAT(said, HasSubstr("segment-000002.h5 (the file ends before its own data"));
-  EXPECT_THAT(said, HasSubstr("once it and the later segments are moved out of " + folder));
-  std::filesystem::remove(cut);
-  EXPECT_EQ(RunFile(path()).rows("stress"), 1);
-}
-
 /// Runs of microgel discs, and runs written before there were bodies, have neither.
 TEST_F(RunFileTest, FramesWithoutBodiesHaveTheCellOfTheRun) {
   for (const FlushSpec flush : {FlushSpec{}, always}) {

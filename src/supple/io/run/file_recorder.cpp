@@ -1,8 +1,12 @@
 #include "supple/io/run/file_recorder.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
+#include <utility>
 
 #include "supple/core/error.hpp"
 #include "supple/io/hdf5/system_archive.hpp"
@@ -29,6 +33,36 @@ void write_table(h5::Group& tables, const std::string& name, const std::vector<C
     column.set("unit", columns[c].unit);
     column.set("meaning", columns[c].meaning);
   }
+}
+
+/// Whether there was room for what `write` writes.
+template <class Write>
+bool try_to(Write&& write) {
+  try {
+    write();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// "12 frames from t = 0.1 s on".
+std::string frame_text(std::span<const Frame> frames, const Units& units) {
+  const std::string unit = unit_text(units, units.time, "s");
+  return fmt::format("{} frame{} from t = {:.6g}{} on", frames.size(), frames.size() == 1 ? "" : "s",
+                     frames[0].time, unit.empty() ? "" : " " + unit);
+}
+
+/// "3 rows of stress from t = 0.1 s on".
+std::string row_text(const std::string& table, const std::vector<Column>& columns,
+                     std::span<const double> rows) {
+  const std::size_t count = rows.size() / columns.size();
+  return fmt::format("{} row{} of {} from {} = {:.6g}{} on", count, count == 1 ? "" : "s", table,
+                     columns[0].name, rows[0], columns[0].unit.empty() ? "" : " " + columns[0].unit);
+}
+
+std::ptrdiff_t whole_part(double share, std::size_t count) {
+  return static_cast<std::ptrdiff_t>(share * static_cast<double>(count));
 }
 
 /// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not
@@ -185,15 +219,66 @@ void FileRecorder::write_new(h5::Group& root) {
   }
 }
 
+/// After a last segment for which there was no room: the final state, then rows and frames from the first on,
+/// in pieces that become smaller as the room does. Returns what is lost; the recorder forgets it.
+std::string FileRecorder::save_what_fits() {
+  const std::vector<Frame> frames = std::exchange(frames_, {});
+  std::map<std::string, std::vector<double>> rows;
+  for (auto& [name, table] : tables_) rows[name] = std::exchange(table.rows, {});
+  const auto rows_before = [&](double share, const std::string& name) {
+    const auto width = std::max<std::size_t>(1, tables_.at(name).columns.size());
+    return static_cast<std::ptrdiff_t>(width) * whole_part(share, rows.at(name).size() / width);
+  };
+  std::string lost;
+  const auto lose = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
+  if (final_ && !try_to([&] { write_segment(); })) lose("the final state");
+  final_.reset();
+
+  double saved = 0;  // share of what there was
+  for (double piece = 0.5; saved < 1 && piece > 1e-3;) {
+    const double end = saved + piece;
+    frames_.assign(frames.begin() + whole_part(saved, frames.size()),
+                   frames.begin() + whole_part(end, frames.size()));
+    for (auto& [name, table] : tables_)
+      table.rows.assign(rows.at(name).begin() + rows_before(saved, name),
+                        rows.at(name).begin() + rows_before(end, name));
+    if (try_to([&] { write_segment(); })) saved = end;
+    else piece /= 2;
+  }
+  frames_.clear();
+  for (auto& [name, table] : tables_) {
+    table.rows.clear();
+    const std::span<const double> left = std::span(rows.at(name)).subspan(rows_before(saved, name));
+    if (!left.empty()) lose(row_text(name, table.columns, left));
+  }
+  const std::span<const Frame> left = std::span(frames).subspan(whole_part(saved, frames.size()));
+  if (!left.empty()) lose(frame_text(left, info_->units));
+  return lost;
+}
+
 void FileRecorder::finish(const std::string& status) {
+  if (failure_) throw *failure_;
+  const std::string kept = "what is complete is in " + folder_ + ", which every command reads: supple show " +
+                           folder_ + "; supple export " + folder_ +
+                           " --to hdf5 -o NAME makes one file of it where there is room";
   try {
     if (info_) write_segment();
-    finished_ = true;  // whatever the merge meets, the segments are complete
-    if (info_) save_merged(RunFile(folder_), status, path_, existing_);
   } catch (const Error& e) {
+    const std::string lost = save_what_fits();
     if (segments_ == 0) throw;
-    throw Error(e.kind(), e.what(), "", "what is complete is in " + folder_ + ", which every command reads");
+    // What the run ended of, where that was not the same.
+    const bool another = status.starts_with("failed") && status.find("cannot write") == status.npos;
+    if (!lost.empty())
+      failure_.emplace(e.kind(), (another ? "the run " + status + "; " : "") + e.what(), "",
+                       "lost: " + lost + "; " + kept);
   }
+  finished_ = true;  // whatever the merge meets, the segments are complete
+  try {
+    if (info_ && !failure_) save_merged(RunFile(folder_), status, path_, existing_);
+  } catch (const Error& e) {
+    failure_.emplace(e.kind(), e.what(), "", "nothing is lost: " + kept);
+  }
+  if (failure_) throw *failure_;
   std::error_code error;
   fs::remove_all(folder_, error);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "supple/core/error.hpp"
 #include "supple/core/new_file.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/recorder.hpp"
@@ -45,7 +46,8 @@ class FileRecorder : public Recorder {
   void warning(const std::string& text) override;
 
   /// Merges everything into the run file. status: "complete", "interrupted" or "failed: why". A run that
-  /// never began leaves nothing.
+  /// never began leaves nothing. Where the disk is full, as much as there is room for stays in segments, and
+  /// the file error says what is lost. Asked again it says the same.
   void finish(const std::string& status);
   /// Whether the run got as far as to leave a file of its own.
   bool began() const { return info_.has_value(); }
@@ -61,6 +63,7 @@ class FileRecorder : public Recorder {
   void count(std::size_t bytes);
   void write_segment();
   void write_new(h5::Group& root);
+  std::string save_what_fits();
 
   std::string path_, folder_;
   Case case_;
@@ -71,6 +74,7 @@ class FileRecorder : public Recorder {
 
   std::optional<RunInfo> info_;
   bool finished_ = false;
+  std::optional<Error> failure_;  ///< of finish()
   int segments_ = 0;
   std::int64_t contacts_ = 0;  ///< rows of contacts in the segments so far
   std::size_t bytes_ = 0;      ///< gathered since the last segment
