@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <utility>
+
 #include "supple/core/random.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "tests/support/polygons.hpp"
@@ -53,6 +56,49 @@ TEST(PolygonShape, EqualsTheTermsForRingsOfAnySize) {
       system.state.position[i] += Vec2{draw.uniform(-0.2, 0.2), draw.uniform(-0.2, 0.2)};
   }
   expect_same(evaluate(fast_terms(), system), evaluate(shape_terms(system), system));
+}
+
+/// Second derivatives by any two sites, all parts multiplied out.
+std::map<std::pair<int, int>, Mat2> multiplied_out(const HessianBlocks<2>& blocks,
+                                                   const OuterProducts<2>& products = {}) {
+  std::map<std::pair<int, int>, Mat2> all;
+  for (const HessianBlock<2>& b : blocks) all[{b.a, b.b}] += b.h;
+  for (const OuterProduct<2>& p : products)
+    for (std::size_t i = 0; i < p.slope.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        all[{p.first + static_cast<int>(i), p.first + static_cast<int>(j)}].add_outer(p.factor, p.slope[i],
+                                                                                      p.slope[j]);
+  return all;
+}
+
+/// In n numbers a ring: with n^2, a million vertices in bodies of 900 would need 80 GB.
+TEST(PolygonShape, SecondDerivativesAreTheSameAsBandsAndOuterProducts) {
+  for (const double bending : {0.0, 0.3}) {
+    System<2> system;
+    system.box.length = {50, 50};
+    RandomStream draw(5, Purpose::test);
+    std::size_t blocks_in_all = 0, slopes = 0;
+    for (const int n : {3, 4, 5, 6, 40}) {
+      add_polygon(system, {5.0 * n, 0}, 1.5, n, 0.1, 1, {.bending = bending, .tension = 0.1});
+      blocks_in_all += static_cast<std::size_t>(n < 5 ? n * (n + 1) / 2 : 3 * n);
+      slopes += static_cast<std::size_t>(n < 5 ? 0 : n);
+    }
+    for (Vec2& x : system.state.position) x += Vec2{draw.uniform(-0.05, 0.05), draw.uniform(-0.05, 0.05)};
+    HessianBlocks<2> whole, blocks;
+    OuterProducts<2> products;
+    fast_terms().add_hessian(system, whole);
+    fast_terms().add_split_hessian(system, blocks, products);
+    EXPECT_EQ(blocks.size(), blocks_in_all);
+    for (const OuterProduct<2>& p : products) slopes -= p.slope.size();
+    EXPECT_EQ(slopes, 0u);
+    const auto split = multiplied_out(blocks, products);
+    for (const auto& [sites, h] : multiplied_out(whole)) {
+      const auto at = split.find(sites);
+      ASSERT_NE(at, split.end());
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d < 2; ++d) EXPECT_NEAR(at->second[c][d], h[c][d], 1e-12);
+    }
+  }
 }
 
 TEST(PolygonShape, HasTheSameForcesWithAndWithoutEnergies) {

@@ -3,9 +3,23 @@
 namespace supple {
 
 void ForceField::add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind) {
+  begin_hessian(system);
+  terms_.add_hessian(system, blocks, kind);
+  finish_hessian(system, blocks);
+}
+
+void ForceField::add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products) {
+  begin_hessian(system);
+  terms_.add_split_hessian(system, blocks, products);
+  finish_hessian(system, blocks);
+}
+
+void ForceField::begin_hessian(System<2>& system) {
   if (!bodies_) throw input_error("this force field has no Hessian", "its contacts have memory");
   neighbors_.update(system);
-  terms_.add_hessian(system, blocks, kind);
+}
+
+void ForceField::finish_hessian(System<2>& system, HessianBlocks<2>& blocks) {
   bodies_->add_hessian(system, blocks);
   if (walls_) add_wall_hessian(system, *walls_, blocks);
   external_.add_hessian(blocks);

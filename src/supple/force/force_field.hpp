@@ -50,6 +50,9 @@ class ForceField {
   /// Second derivatives of the energy. Not for contacts with memory, whose force has no energy.
   void add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind = HessianKind::exact);
 
+  /// The same without multiplying out what couples all sites of a body: blocks and products are its sum.
+  void add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products);
+
   /// Accepts the step: contacts remember what this evaluation found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {
     system.floor_contact.swap(evaluation.trial_floor_contact);
@@ -79,6 +82,9 @@ class ForceField {
   const NeighborList<2>& neighbors() const { return neighbors_; }
 
  private:
+  void begin_hessian(System<2>& system);
+  void finish_hessian(System<2>& system, HessianBlocks<2>& blocks);  ///< of all but the terms
+
   TermSet<2> terms_;
   ExternalForces<2> external_;
   DiscContacts contacts_;

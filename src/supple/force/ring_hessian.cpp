@@ -18,8 +18,10 @@ class RingBlocks {
                        least_sparse =
                            2 * near + 1;  ///< with fewer vertices a pair would be near on both sides
 
-  RingBlocks(int first, int n, HessianKind kind, HessianBlocks<2>& blocks)
-      : n_(n), sparse_(kind == HessianKind::sparse), begin_(blocks.size()), blocks_(blocks) {
+  enum class Pairs { all, near };
+
+  RingBlocks(int first, int n, Pairs pairs, HessianBlocks<2>& blocks)
+      : n_(n), sparse_(pairs == Pairs::near), begin_(blocks.size()), blocks_(blocks) {
     for (int i = 0; i < n; ++i) {
       if (!sparse_)
         for (int j = 0; j <= i; ++j) blocks.push_back({first + i, first + j, {}});
@@ -97,22 +99,28 @@ void add_edge_energies(const ShapeStiffness& k, const double* rest_length,
   }
 }
 
-/// k_a (da/dx)(da/dx)^T + k_a (a - a0) d2a/dx2.
-void add_area_energy(double k, double rest, const std::vector<EdgeNumbers>& edges, HessianKind kind,
-                     RingBlocks& ring) {
-  const int n = static_cast<int>(edges.size());
-  std::vector<Vec2> slope(edges.size());
+/// Area of a ring, and its slope by each vertex.
+struct AreaNumbers {
   double area = 0;
+  std::vector<Vec2> slope;
+};
+
+AreaNumbers measure_area(const std::vector<EdgeNumbers>& edges) {
+  const int n = static_cast<int>(edges.size());
+  AreaNumbers out{0, std::vector<Vec2>(edges.size())};
   Vec2 from_first{};
   for (int i = 0; i < n; ++i) {
     const Vec2 across = edges[i].e + edges[i > 0 ? i - 1 : n - 1].e;
-    slope[i] = {0.5 * across[1], -0.5 * across[0]};
-    area += 0.5 * cross(from_first, edges[i].e);
+    out.slope[i] = {0.5 * across[1], -0.5 * across[0]};
+    out.area += 0.5 * cross(from_first, edges[i].e);
     from_first += edges[i].e;
   }
-  for (int i = 0; i < n && kind == HessianKind::exact; ++i)
-    for (int j = 0; j <= i; ++j) ring.at(i, j).add_outer(k, slope[i], slope[j]);
-  const double half = 0.5 * k * (area - rest);
+  return out;
+}
+
+/// k_a (a - a0) d2a/dx2.
+void add_pressure(double k, double beyond_rest, int n, RingBlocks& ring) {
+  const double half = 0.5 * k * beyond_rest;
   const Mat2 next{{{0, -half}, {half, 0}}};  // by x_(i+1) and x_i
   for (int i = 0; i < n; ++i) {
     const int after = i + 1 < n ? i + 1 : 0;
@@ -132,7 +140,8 @@ bool stiff_without_area(const ShapeStiffness& k, double rest_area, const double*
 
 }  // namespace
 
-void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, HessianKind kind) {
+void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, HessianKind kind,
+                      OuterProducts<2>* products) {
   const Topology<2>& t = system.topology;
   const int first = t.begin[b], n = t.begin[b + 1] - first, facet = t.facet_begin[b];
   if (t.facet_begin[b + 1] - facet != n) return;  // a disc
@@ -152,11 +161,17 @@ void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, 
     }
   const double* rest_length = &system.shape.rest_facet[facet];
   const double rest_area = system.shape.rest_volume[b];
-  if (n < RingBlocks::least_sparse || !stiff_without_area(k, rest_area, rest_length, n))
-    kind = HessianKind::exact;
-  RingBlocks ring(first, n, kind, blocks);
+  using Pairs = RingBlocks::Pairs;
+  const bool left_out = kind == HessianKind::sparse && stiff_without_area(k, rest_area, rest_length, n);
+  const Pairs pairs = n >= RingBlocks::least_sparse && (left_out || products) ? Pairs::near : Pairs::all;
+  RingBlocks ring(first, n, pairs, blocks);
   add_edge_energies(k, rest_length, edges, ring);
-  if (k.volume != 0) add_area_energy(k.volume, rest_area, edges, kind, ring);
+  if (k.volume == 0) return;
+  AreaNumbers area = measure_area(edges);
+  for (int i = 0; i < n && pairs == Pairs::all; ++i)
+    for (int j = 0; j <= i; ++j) ring.at(i, j).add_outer(k.volume, area.slope[i], area.slope[j]);
+  add_pressure(k.volume, area.area - rest_area, n, ring);
+  if (pairs == Pairs::near && products) products->push_back({k.volume, first, std::move(area.slope)});
 }
 
 }  // namespace supple

@@ -12,6 +12,7 @@
 #include "supple/energy/term.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/hessian.hpp"
+#include "supple/model/outer_product.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -29,6 +30,11 @@ class TermBlock {
   virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const = 0;
   /// The same without what HessianKind::sparse may leave out.
   virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
+    add_hessian(system, blocks);
+  }
+  /// All of them, those that couple all sites of a body as outer products.
+  virtual void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
+                                 OuterProducts<Dim>& /*products*/) const {
     add_hessian(system, blocks);
   }
 };

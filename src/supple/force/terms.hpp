@@ -41,6 +41,12 @@ class TermSet {
     }
   }
 
+  /// The same, of outer products only the factors.
+  void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
+                         OuterProducts<Dim>& products) const {
+    for (const auto& block : blocks_) block->add_split_hessian(system, blocks, products);
+  }
+
   /// Name and energy of each term, in the order they were added.
   std::vector<std::pair<std::string, double>> energies(const System<Dim>& system) const {
     std::vector<std::pair<std::string, double>> parts;

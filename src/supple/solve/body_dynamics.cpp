@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/model/outer_product.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/solve/degrees.hpp"
+#include "supple/solve/eigenvalue_bound.hpp"
 
 namespace supple {
 
@@ -129,37 +131,18 @@ Vec2 momentum(const System<2>& system) {
 
 namespace {
 
-/// Largest eigenvalue, or more, of |A| for a symmetric matrix: max_i (|A| x)_i / x_i for any x > 0 [Collatz
-/// 1942].
-double eigenvalue_bound(std::vector<MatrixEntry> entries, int size) {
-  const auto place = [](const MatrixEntry& e) { return std::pair{e.row(), e.col()}; };
-  std::stable_sort(entries.begin(), entries.end(),
-                   [&](const MatrixEntry& a, const MatrixEntry& b) { return place(a) < place(b); });
-  std::vector<MatrixEntry> sums;
-  for (const MatrixEntry& e : entries) {
-    const bool known = !sums.empty() && place(sums.back()) == place(e);
-    if (known) sums.back() = {e.row(), e.col(), sums.back().value() + e.value()};
-    else sums.push_back(e);
-  }
-  std::vector<double> x(static_cast<std::size_t>(size), 1.0), y(x.size());
-  double bound = 0;
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    std::fill(y.begin(), y.end(), 0.0);
-    for (const MatrixEntry& e : sums) {
-      y[e.row()] += std::abs(e.value()) * x[e.col()];
-      if (e.row() != e.col()) y[e.col()] += std::abs(e.value()) * x[e.row()];
+/// The part of an outer product that free sites have, of masses 1.
+OuterPart part_of(const OuterProduct<2>& product, const std::vector<std::int32_t>& number_of_site,
+                  const std::vector<double>& mass) {
+  OuterPart part{product.factor, {}, {}};
+  for (std::size_t k = 0; k < product.slope.size(); ++k) {
+    const std::int32_t number = number_of_site[product.first + static_cast<std::int32_t>(k)];
+    for (int d = 0; d < 2 && number >= 0; ++d) {
+      part.index.push_back(number + d);
+      part.slope.push_back(product.slope[k][d] / std::sqrt(mass[number + d]));
     }
-    double largest_ratio = 0, largest = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      largest_ratio = std::max(largest_ratio, y[k] / x[k]);
-      largest = std::max(largest, y[k]);
-    }
-    bound = iteration == 0 ? largest_ratio : std::min(bound, largest_ratio);
-    if (largest == 0) break;
-    // Numbers that nothing connects to the stiffest ones must not vanish.
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] = y[k] / largest + 1e-3;
   }
-  return bound;
+  return part;
 }
 
 /// Squared frequency of a site that six further neighbours and a wall press on.
@@ -183,11 +166,16 @@ double frequency_bound(System<2>& system, ForceField& forces) {
   Evaluation<2> evaluation;
   forces.evaluate(system, Detail::forces, evaluation);
   HessianBlocks<2> blocks;
-  forces.add_hessian(system, blocks);
+  OuterProducts<2> products;
+  forces.add_split_hessian(system, blocks, products);
   std::vector<MatrixEntry> entries = degrees.hessian(system, blocks, evaluation.force);
   const std::vector<double> mass = degrees.masses(system);
   for (MatrixEntry& e : entries) e = {e.row(), e.col(), e.value() / std::sqrt(mass[e.row()] * mass[e.col()])};
-  return std::sqrt(eigenvalue_bound(std::move(entries), degrees.size()) + further_contacts(system, forces));
+  std::vector<std::int32_t> number_of_site(static_cast<std::size_t>(system.state.size()), -1);
+  for (int k = 0; k < degrees.site_count(); ++k) number_of_site[degrees.sites()[k]] = 2 * k;
+  std::vector<OuterPart> parts;
+  for (const OuterProduct<2>& product : products) parts.push_back(part_of(product, number_of_site, mass));
+  return std::sqrt(eigenvalue_bound(entries, parts, degrees.size()) + further_contacts(system, forces));
 }
 
 double default_step(System<2>& system, ForceField& forces, double fraction) {
