@@ -4,22 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
-#include "supple/contact/rough_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/core/random.hpp"
-#include "supple/force/force_field.hpp"
+#include "supple/experiment/random_centres.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/packing_fraction.hpp"
 #include "supple/observe/soundness.hpp"
-#include "supple/solve/body_objective.hpp"
-#include "supple/solve/minimise.hpp"
 
 namespace supple {
 
@@ -78,30 +74,6 @@ double widest_particle(const Case& c, const BodySizes& sizes) {
     widest = std::max(widest, width);
   }
   return widest;
-}
-
-/// Random positions in the cell, moved apart and away from its walls, as soft discs of these radii, until
-/// none overlap or as far as can be.
-std::vector<Vec2> random_centres(const std::vector<double>& radius, const Box<2>& box, std::int64_t seed,
-                                 const StopRequest& stop_requested) {
-  System<2> discs;
-  discs.box = box;
-  for (std::size_t k = 0; k < radius.size(); ++k) {
-    RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_position, k);
-    const double x = draw.uniform(0, box.length[0]);
-    add_disc_body(discs, {x, draw.uniform(0, box.length[1])}, 1.02 * radius[k]);
-  }
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
-  field.set_walls({.repulsion = Harmonic{4, true}});
-  BodyObjective objective(discs, field, {1e-3, 1e-8});
-  std::vector<double> x = objective.coordinates();
-  MinimiseSpec spec;
-  spec.method = Minimiser::fire;
-  spec.max_evaluations = 20000;
-  spec.stop_requested = stop_requested;
-  if (minimise(objective, x, spec).ending == Ending::interrupted)
-    throw Error(ErrorKind::interrupted, "interrupted while particles found their places");
-  return discs.state.position;
 }
 
 }  // namespace
@@ -168,7 +140,7 @@ System<2> particles_apart(const Case& c) {
 }
 
 System<2> random_packing(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure,
-                         const StopRequest& stop_requested) {
+                         const std::function<bool()>& stop_requested) {
   const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
   const std::vector<Vec2> centre = random_centres(loose.radius, loose.cell, c.general.seed, stop_requested);
   const BodySizes sizes(c.bodies);
