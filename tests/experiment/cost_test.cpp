@@ -74,6 +74,35 @@ TEST(Cost, ParticlesSetApartAreThoseOfTheCell) {
     }
 }
 
+/// check has no time to measure a million vertices one body after the other.
+TEST(Cost, ParticlesOfOneKindAreMeasuredOnceAndAreThoseOfEach) {
+  for (const char* family : {"shell", "droplet", "floppy", "disc", "rough_disc"})
+    for (const char* kind : {"rough", "smooth"}) {
+      Case c = bodies_case("jamming", family);
+      c.contact.kind = std::string(family) == "rough_disc" ? "rough" : kind;
+      c.bodies.discs = std::string(family) == "disc" ? 0 : 3;
+      c.bodies.vertex_rule = "scaled";
+      c.bodies.shape_ratio_large = std::string(family) == "shell" ? 1.2 : 0;
+      SCOPED_TRACE(std::string(family) + ", " + kind);
+      const LooseBodies each = loose_bodies(c, 0.2), kinds = loose_bodies(c, 0.2, {}, Measured::kinds);
+      EXPECT_NEAR(kinds.area, each.area, 1e-9 * each.area);
+      ASSERT_EQ(kinds.radius.size(), each.radius.size());
+      for (std::size_t b = 0; b < each.radius.size(); ++b)
+        EXPECT_NEAR(kinds.radius[b], each.radius[b], 1e-9 * each.radius[b]) << b;
+    }
+}
+
+/// A body of 900 vertices has 3.2 million pairs of coordinates: what is asked of thousands of them before a
+/// run must not list them.
+TEST(Cost, ATimeStepIsKnownForAsManyVerticesAsARunCanHave) {
+  Case c = bodies_case("dynamics");
+  c.bodies.count = 3;
+  c.bodies.vertices = 20000;
+  const double before = cpu_seconds();
+  EXPECT_GT(derive(c, nullptr).size(), 0u);
+  EXPECT_LT(cpu_seconds() - before, 20) << "60 000 vertices: 10 GB for each body as pairs";
+}
+
 TEST(Cost, SitesAreCountedBeforeTheyAreMade) {
   for (const char* family : {"shell", "disc"}) {
     Case c = bodies_case("jamming", family);

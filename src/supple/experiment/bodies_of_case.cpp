@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "supple/core/error.hpp"
@@ -43,6 +44,14 @@ ShapeSpec shape_spec(const Bodies& b, int n, bool large) {
           preferred_shape_parameter(b, n, large)};
 }
 
+/// With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
+/// lets it buckle, another one each particle.
+bool buckles(const Bodies& b, const BodySizes& sizes, int body) {
+  const int n = sizes.vertices(body);
+  return n > 1 && b.family != "rough_disc" &&
+         preferred_shape_parameter(b, n, sizes.is_large(body)) > least_shape_parameter(n) * (1 + 1e-9);
+}
+
 /// Adds the particle `body` of the case about a centre.
 void add_particle(const Case& c, const BodySizes& sizes, int body, const Vec2& centre, System<2>& system) {
   const Bodies& b = c.bodies;
@@ -55,9 +64,7 @@ void add_particle(const Case& c, const BodySizes& sizes, int body, const Vec2& c
   const int index = system.topology.body_count(system.state.size());
   add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape);
   if (b.family == "rough_disc") return make_rigid(system, index);
-  if (shape.shape_parameter <= least_shape_parameter(n) * (1 + 1e-9)) return;
-  // With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
-  // lets it buckle.
+  if (!buckles(b, sizes, body)) return;
   for (int i = system.topology.begin[index]; i < system.topology.begin[index + 1]; ++i)
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
@@ -76,6 +83,29 @@ double widest_particle(const Case& c, const BodySizes& sizes) {
   return widest;
 }
 
+struct LooseBody {
+  double area = 0, radius = 0;
+};
+
+/// One particle with nothing else as far as `apart` of it.
+LooseBody measure_alone(const Case& c, const BodySizes& sizes, int body, const Vec2& centre, double apart) {
+  System<2> alone;
+  add_particle(c, sizes, body, centre, alone);
+  alone.box.length = {apart, apart};
+  return {packing_fraction(alone, outline_of(c)).area[0], outer_radius(alone, 0)};
+}
+
+/// Those that the case does not draw, one of each kind.
+std::array<std::optional<LooseBody>, BodySizes::kinds> measure_kinds(const Case& c, const BodySizes& sizes,
+                                                                     double apart) {
+  std::array<std::optional<LooseBody>, BodySizes::kinds> found;
+  for (const int body : {0, sizes.particles - 1, sizes.bodies() - 1})
+    if (auto& of_kind = found[static_cast<std::size_t>(sizes.kind(body))];
+        !of_kind && !buckles(c.bodies, sizes, body))
+      of_kind = measure_alone(c, sizes, body, {}, apart);
+  return found;
+}
+
 }  // namespace
 
 BodySizes::BodySizes(const Bodies& b)
@@ -92,7 +122,8 @@ std::int64_t BodySizes::sites() const {
   return std::int64_t{particles - large} * vertices_small + std::int64_t{large} * vertices_large + discs;
 }
 
-LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure) {
+LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure,
+                         Measured measured) {
   const BodySizes sizes(c.bodies);
   const int bodies = sizes.bodies();
   LooseBodies loose;
@@ -100,14 +131,15 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   const double apart = std::max(1e4, 2 * pitch) * bodies;
   std::vector<double> area(static_cast<std::size_t>(bodies));
   loose.radius.resize(area.size());
+  std::array<std::optional<LooseBody>, BodySizes::kinds> kinds;
+  if (measured == Measured::kinds) kinds = measure_kinds(c, sizes, apart);
   for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (auto b = static_cast<int>(begin); b < end; ++b) {
-      System<2> alone;
-      add_particle(c, sizes, b, {pitch * b, 0},
-                   alone);  // every packing follows, to the last bit, from areas there
-      alone.box.length = {apart, apart};
-      area[b] = packing_fraction(alone, outline_of(c)).area[0];
-      loose.radius[b] = outer_radius(alone, 0);
+      const auto& known = kinds[static_cast<std::size_t>(sizes.kind(b))];
+      // Every packing follows, to the last bit, from areas there.
+      const LooseBody body = known ? *known : measure_alone(c, sizes, b, {pitch * b, 0}, apart);
+      area[b] = body.area;
+      loose.radius[b] = body.radius;
     }
   });
   for (const double a : area) loose.area += a;

@@ -20,6 +20,9 @@ struct BodySizes {
   bool is_large(int body) const { return body >= particles - large && body < particles; }
   /// Preferred area: of small particles and extra discs 1.
   double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
+  /// Particles of one kind are drawn alike: small, large, extra discs.
+  int kind(int body) const { return body >= particles ? 2 : is_large(body) ? 1 : 0; }
+  static constexpr int kinds = 3;
   /// 1 of a disc.
   int vertices(int body) const {
     return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small;
@@ -44,9 +47,14 @@ struct LooseBodies {
   Box<2> cell;
 };
 
+/// Which particles are measured: each, or one of each kind where the case draws none of them, which is the
+/// same to rounding.
+enum class Measured { each, kinds };
+
 /// Everything about a random packing but where its particles are. Input error where the largest does not fit
 /// into the cell.
-LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {});
+LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
+                         Measured measured = Measured::each);
 
 /// The particles in a square array, far apart.
 System<2> particles_apart(const Case& c);

@@ -173,7 +173,7 @@ Packing packing_from(const Case& c, const InitialState* initial, double packing_
   if (initial) {
     p = packing_of(c, given_system(c, *initial, making.flow));
   } else if (making.places == Places::apart) {
-    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
+    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure, Measured::kinds);
     p = packing_of(c, particles_apart(c));
     p.cell = loose.cell;
     p.covered_area = loose.area;
