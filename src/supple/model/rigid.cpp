@@ -39,6 +39,18 @@ Motion motion_of(const System<2>& system, int b) {
   return m;
 }
 
+void place_sites_of(System<2>& system, int r) {
+  const RigidBodies& rigid = system.rigid;
+  State<2>& s = system.state;
+  const double c = std::cos(rigid.angle[r]), sine = std::sin(rigid.angle[r]);
+  int i = system.topology.body_begin(rigid.body[r]);
+  for (int k = rigid.begin[r]; k < rigid.begin[r + 1]; ++k, ++i) {
+    const Vec2 o = rigid.offset[k], arm{c * o[0] - sine * o[1], sine * o[0] + c * o[1]};
+    s.position[i] = rigid.centre[r] + arm;
+    s.velocity[i] = rigid.velocity[r] + cross(rigid.spin[r], arm);
+  }
+}
+
 }  // namespace
 
 void make_rigid(System<2>& system, int b) {
@@ -73,21 +85,11 @@ void make_rigid(System<2>& system, int b) {
   for (std::size_t k = r + 1; k < rigid.begin.size(); ++k)
     rigid.begin[k] += static_cast<std::int32_t>(offset.size());
   if (!system.shape.empty()) system.shape.stiffness[static_cast<std::size_t>(b)] = {};
-  place_sites(system);
+  place_sites_of(system, static_cast<int>(r));
 }
 
 void place_sites(System<2>& system) {
-  const RigidBodies& rigid = system.rigid;
-  State<2>& s = system.state;
-  for (int r = 0; r < rigid.size(); ++r) {
-    const double c = std::cos(rigid.angle[r]), sine = std::sin(rigid.angle[r]);
-    int i = system.topology.body_begin(rigid.body[r]);
-    for (int k = rigid.begin[r]; k < rigid.begin[r + 1]; ++k, ++i) {
-      const Vec2 o = rigid.offset[k], arm{c * o[0] - sine * o[1], sine * o[0] + c * o[1]};
-      s.position[i] = rigid.centre[r] + arm;
-      s.velocity[i] = rigid.velocity[r] + cross(rigid.spin[r], arm);
-    }
-  }
+  for (int r = 0; r < system.rigid.size(); ++r) place_sites_of(system, r);
 }
 
 RigidForce force_on_rigid(const System<2>& system, const std::vector<Vec2>& force, int r) {
