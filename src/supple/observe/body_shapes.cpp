@@ -135,19 +135,39 @@ ImageSearch::ImageSearch(std::span<const BodyShape> bodies, const Box<2>& box)
     : bodies_(bodies), images_(images_in(bounds_of(bodies), bodies, box)) {
   std::stable_sort(images_.begin(), images_.end(),
                    [](const BodyImage& a, const BodyImage& b) { return a.bounds.low[0] < b.bounds.low[0]; });
-  for (const BodyShape& body : bodies) widest_ = std::max(widest_, body.bounds.high[0] - body.bounds.low[0]);
+  for (const BodyShape& body : bodies) {
+    widest_ = std::max(widest_, body.bounds.high[0] - body.bounds.low[0]);
+    tallest_ = std::max(tallest_, body.bounds.high[1] - body.bounds.low[1]);
+  }
+  const Bounds all = bounds_of(bodies);
+  lowest_ = all.low[1] - tallest_;
+  const double rows = tallest_ > 0 ? (all.high[1] - lowest_) / tallest_ : 0;
+  rows_.resize(1 + static_cast<std::size_t>(std::clamp(rows, 0.0, static_cast<double>(bodies.size()))));
+  for (std::size_t k = 0; k < images_.size(); ++k)
+    rows_[row_of(images_[k].bounds.low[1])].push_back(static_cast<std::int32_t>(k));
+}
+
+int ImageSearch::row_of(double height) const {
+  const double row = tallest_ > 0 ? (height - lowest_) / tallest_ : 0;
+  return static_cast<int>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
 void ImageSearch::find(int body, std::vector<BodyImage>& found) const {
   const Bounds& bounds = bodies_[body].bounds;
   found.clear();
   const double leftmost = bounds.low[0] - 1.001 * widest_;
-  auto image = std::lower_bound(images_.begin(), images_.end(), leftmost,
-                                [](const BodyImage& a, double x) { return a.bounds.low[0] < x; });
-  for (; image != images_.end() && image->bounds.low[0] <= bounds.high[0]; ++image) {
-    const bool itself = image->body == body && image->shift == Vec2{};
-    if (!itself && image->bounds.meets(bounds)) found.push_back(*image);
+  std::vector<std::int32_t> near;
+  for (int row = row_of(bounds.low[1] - 1.001 * tallest_); row <= row_of(bounds.high[1]); ++row) {
+    const auto left_of = [&](std::int32_t k, double x) { return images_[k].bounds.low[0] < x; };
+    auto k = std::lower_bound(rows_[row].begin(), rows_[row].end(), leftmost, left_of);
+    for (; k != rows_[row].end() && images_[*k].bounds.low[0] <= bounds.high[0]; ++k) {
+      const BodyImage& image = images_[*k];
+      const bool itself = image.body == body && image.shift == Vec2{};
+      if (!itself && image.bounds.meets(bounds)) near.push_back(*k);
+    }
   }
+  std::sort(near.begin(), near.end());  // sums go from left to right
+  for (const std::int32_t k : near) found.push_back(images_[k]);
 }
 
 }  // namespace supple

@@ -60,8 +60,12 @@ class ImageSearch {
 
  private:
   std::span<const BodyShape> bodies_;
+  int row_of(double height) const;
+
   std::vector<BodyImage> images_;  ///< by their left end
-  double widest_ = 0;
+  double widest_ = 0, tallest_ = 0, lowest_ = 0;
+  std::vector<std::vector<std::int32_t>>
+      rows_;  ///< indices of images by their lower end, as many heights apart
 };
 
 }  // namespace supple
