@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -212,7 +213,10 @@ int obey(int argc, char** argv) {
         "smaller\n",
         stderr);
     return static_cast<int>(supple::ErrorKind::input);
-  } catch (const std::system_error& e) {  // of a file, or of what is printed
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::fprintf(stderr, "supple: cannot use %s (%s)\n", e.path1().c_str(), e.code().message().c_str());
+    return static_cast<int>(supple::ErrorKind::file);
+  } catch (const std::system_error& e) {  // of what is printed
     std::fprintf(stderr, "supple: %s\n", e.what());
     return static_cast<int>(supple::ErrorKind::file);
   } catch (const std::exception& e) {

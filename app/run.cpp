@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
+#include "supple/core/path_kind.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/run/file_recorder.hpp"
@@ -112,7 +113,7 @@ void draw_images_of(const Case& c, const std::string& run, Existing existing, Co
   };
   const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
   if (existing == Existing::replace) remove_numbered_files(images_folder(run), "image");
-  fs::create_directories(images_folder(run));
+  make_folder(images_folder(run));
   draw_frames(images_folder(run), format, RunFile(run), count, "", progress);
   recorder.end_progress();
 }

@@ -109,6 +109,26 @@ TEST_F(Force, LeavesNothingOfAnOlderRunInItsFolders) {
   EXPECT_TRUE(exists("small_images/notes.txt"));
 }
 
+TEST_F(Force, FoldersThatAreNoneOrCannotBeChangedAreNamedInOurWords) {
+  write_small_case();
+  write("small_images", "a file");
+  write("small_frames", "a file");
+  const Outcome images = supple("run small.toml --set output.images=2 --force");
+  EXPECT_EQ(images.code, 4);
+  EXPECT_THAT(images.err, HasSubstr("supple: cannot make the folder small_images (File exists)"));
+  const Outcome frames = supple("export small.h5 --to vtp -o small.pvd --force");
+  EXPECT_EQ(frames.code, 4);
+  EXPECT_THAT(frames.err, HasSubstr("supple: cannot make the folder small_frames (File exists)"));
+  if (geteuid() == 0) run_as_nobody();
+  fs::create_directory(path("small.h5.partial"));
+  fs::permissions(path("small.h5.partial"), fs::perms::none);
+  fs::permissions(path(""), fs::perms::all);
+  const Outcome segments = supple("run small.toml --force");
+  EXPECT_EQ(segments.code, 4);
+  EXPECT_THAT(segments.err, HasSubstr("supple: cannot use small.h5.partial (Permission denied)"));
+  fs::permissions(path("small.h5.partial"), fs::perms::owner_all);
+}
+
 TEST_F(Force, TheMessageOfWhatExistsNamesIt) {
   write_small_case();
   ASSERT_EQ(supple("run small.toml").code, 0);

@@ -140,8 +140,10 @@ struct Canvas::Surface {
   void check(const std::string& path) const {
     const cairo_status_t status = cairo_status(context);
     if (status != CAIRO_STATUS_SUCCESS)
-      throw file_error("cannot draw '" + path + "'", cairo_status_to_string(status),
-                       "ask for a smaller picture");
+      throw file_error(
+          "cannot draw '" + path + "'",
+          status == CAIRO_STATUS_NO_MEMORY ? "there is not enough memory" : "it is too large",
+          std::string("ask for a smaller picture [Cairo: ") + cairo_status_to_string(status) + "]");
   }
 };
 
