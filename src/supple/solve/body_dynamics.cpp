@@ -166,6 +166,7 @@ double frequency_bound(System<2>& system, ForceField& forces) {
   Evaluation<2> evaluation;
   forces.evaluate(system, Detail::forces, evaluation);
   HessianBlocks<2> blocks;
+  blocks.reserve(3 * static_cast<std::size_t>(system.state.size()));
   OuterProducts<2> products;
   forces.add_split_hessian(system, blocks, products);
   std::vector<MatrixEntry> entries = degrees.hessian(system, blocks, evaluation.force);
