@@ -10,7 +10,8 @@ enum class ErrorKind { input = 2, numerics = 3, file = 4, interrupted = 130 };
 
 class Error : public std::runtime_error {
  public:
-  /// `what` is wrong, `why` (may be empty), and what `to_do` about it (may be empty).
+  /// The message reads "what (why); to_do": what is wrong, why it is, and what the user can do. `why` and
+  /// `to_do` may be empty.
   Error(ErrorKind kind, const std::string& what, const std::string& why = {}, const std::string& to_do = {})
       : std::runtime_error(what + (why.empty() ? "" : " (" + why + ")") +
                            (to_do.empty() ? "" : "; " + to_do)),

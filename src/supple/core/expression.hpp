@@ -7,27 +7,27 @@
 
 namespace supple {
 
-/// Arithmetic, powers (^), the usual functions (sin, cos, exp, ln, sqrt, abs, min, max, ...), comparisons, c
-/// ? a : b, and pi; one result, and nothing is assigned. Off the hot path: about 10-30 ns a call. Not safe to
-/// call from two threads at once.
+/// A formula may hold arithmetic, powers (^), the usual functions (sin, cos, exp, ln, sqrt, abs, min, max,
+/// ...), comparisons, choices (condition ? a : b) and pi. It has one result and assigns nothing. A call takes
+/// about 10-30 ns, too long for inner loops. Not safe to call from two threads at once.
 class Expression {
  public:
-  /// Throws an input error that names the formula, the position and what was expected there; `what` says what
-  /// the formula is for.
+  /// `what` says what the formula is for, in errors. Throws an input error that names the formula, the
+  /// position of the mistake and what was expected there.
   Expression(const std::string& text, const std::vector<std::string>& variables, const std::string& what);
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
 
-  /// Value at these variables, in the order of the constructor. Throws an input error that names the formula
-  /// and the variables where it is not finite.
+  /// The value of the formula, given the variables in the order of the constructor. Throws an input error
+  /// with the formula and the variables where the value is not finite.
   double operator()(std::span<const double> values) const;
   double operator()(double value) const { return (*this)(std::span<const double>(&value, 1)); }
 
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
-  std::string name_;  ///< what it is for, and its text
+  std::string name_;  ///< what the formula is for, and its text
   std::vector<std::string> variables_;
 };
 

@@ -1,4 +1,4 @@
-/// What was probably meant by a formula that cannot be read.
+/// What is wrong with a formula that cannot be read, and what was probably meant.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,10 +11,11 @@ namespace supple {
 
 struct ExpressionMistake {
   std::string why,
-      to_do;  ///< to_do: empty where nothing better is known than the list of what may stand there
+      to_do;  ///< `to_do` is empty where only the general list of what a formula may hold helps
 };
 
-/// `names`: of variables, constants and functions.
+/// Explains an error of the parser in the words of a user. `names` are those that a formula may use:
+/// variables, constants and functions.
 ExpressionMistake find_mistake(const std::string& text, const mu::ParserError& error,
                                const std::vector<std::string>& names);
 

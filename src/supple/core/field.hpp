@@ -1,5 +1,5 @@
-/// A parameter, declared once: read by the TOML loader, the command's help, the file's attributes and the
-/// docs.
+/// A parameter is declared once; the TOML loader, the command's help, the file's attributes and the docs all
+/// read the declaration.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace supple {
 
-/// Interval of allowed values; an end is excluded where `open_*` is set.
+/// Interval of allowed values; `open_low` and `open_high` exclude its ends.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -32,15 +32,16 @@ inline constexpr Range fraction{0, 1};
 
 /// What becomes of a parameter when a run goes on from a state.
 enum class Role {
-  unsaid,  ///< that of its section, or else `run`
-  run,     ///< how this run goes: not of the state
-  law,     ///< what acts, kept with the state by its name: it holds unless the case gives the key
-  sample,  ///< how the sample was made: given with a state it must be that of the state
-  number   ///< what acts, too, and the state has it as numbers of its own
+  unsaid,  ///< the role of its section (with_role), or else `run`
+  run,     ///< how this run goes; a state does not keep it
+  law,     ///< what acts; the state keeps it by name, and it holds unless the case gives the key
+  sample,  ///< how the sample was made; a case with a state may only repeat what the state says
+  number   ///< what acts, too, but the state keeps it among its numbers, not by name
 };
 
-/// One parameter of the struct P: its key, where it lives, its unit ("" for none), its meaning in one line.
-/// A member of type double reads integers too; choices lists the valid values of a string ("" in it: any).
+/// One parameter of the struct P: its key, the member that holds it, its unit ("" for none), its meaning in
+/// one line. A member of type double reads integers too. `choices` lists the valid values of a string; empty,
+/// any text is valid.
 template <class P>
 struct Field {
   using Member = std::variant<double P::*, int P::*, std::int64_t P::*, bool P::*, std::string P::*>;
@@ -56,7 +57,7 @@ struct Field {
 template <class P>
 using Fields = std::vector<Field<P>>;
 
-/// The same fields; those that say nothing of their role get this one.
+/// The same fields, with this role for those that are `unsaid`.
 template <class P>
 Fields<P> with_role(Role role, Fields<P> fields) {
   for (Field<P>& f : fields)

@@ -4,8 +4,8 @@
 
 namespace supple {
 
-/// a b + c, rounded once where that is one instruction and else twice. The compiler may not choose
-/// (-ffp-contract=off), or the same formula would differ from loop to loop.
+/// a b + c, rounded once where the processor does it in one instruction, else twice. The compiler may not
+/// fuse other products and sums (-ffp-contract=off): the same formula would then differ from loop to loop.
 inline double multiply_add(double a, double b, double c) {
 #ifdef __FMA__
   return std::fma(a, b, c);

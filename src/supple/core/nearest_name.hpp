@@ -11,7 +11,8 @@ namespace supple {
 /// and lower case count as the same letter.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate nearest to `name`, if any is near enough to be meant (about one wrong letter in three).
+/// The candidate with the least edit distance to `name`; nothing where more than about one letter in three is
+/// wrong.
 std::optional<std::string> nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 /// "a, b, c", each between `quote`s.

@@ -13,7 +13,7 @@ enum class Existing { refuse, replace };
 inline constexpr std::string_view standard_output = "-";
 
 /// Throws a file error where `path` exists and may not be replaced, or its folder is missing or not writable.
-/// What is no regular file (link, pipe, device, folder) is never replaced.
+/// A link, pipe, device or folder is never replaced.
 void check_can_create(const std::string& path, Existing existing);
 
 /// Throws a file error where `path` is the file `input`, by whatever name.
@@ -23,8 +23,9 @@ void check_not_input(const std::string& path, const std::string& input);
 /// `path` exists and may not be replaced.
 void publish_file(const std::string& temporary, const std::string& path, Existing existing);
 
-/// A file being written beside its place; commit() moves it there. Without commit nothing is left. Under the
-/// name - it is standard output, which gets the bytes as they come.
+/// A file that is written under a temporary name beside `path`; commit() gives it its name. Without commit()
+/// nothing is left. The path "-" means standard output, which gets the bytes at once. Every member throws a
+/// file error where it cannot create, write or publish.
 class NewFile {
  public:
   explicit NewFile(std::string path, Existing existing = Existing::refuse);
@@ -43,7 +44,7 @@ class NewFile {
   std::FILE* file_;
 };
 
-/// The same for bytes that are in memory; a file of that name is replaced.
+/// Writes `bytes` as a whole file; replaces a file of that name. Throws as NewFile does.
 void write_whole_file(const std::string& path, std::string_view bytes);
 
 /// Removes the files STEMnnnnnnn.ENDING (seven digits) of an older run from a folder, where there is one.

@@ -15,7 +15,7 @@ namespace supple {
 
 namespace {
 
-/// How long a thread looks for its next loop before it sleeps: about what waking it costs.
+/// How long a thread looks for its next loop before it sleeps: about as long as waking it takes.
 constexpr std::chrono::microseconds patience{20};
 
 void relax() {

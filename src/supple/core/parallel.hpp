@@ -6,7 +6,7 @@
 
 namespace supple {
 
-/// Number of threads for the loops below; 1 (the default) runs them in place.
+/// Number of threads for the loops below; with 1 (the default) they run in the calling thread.
 inline int& thread_count() {
   static int count = 1;
   return count;
@@ -20,10 +20,11 @@ inline bool runs_in_place(std::int64_t n) {
   return thread_count() == 1 || chunk_count(n) < 2 * thread_count();
 }
 
-/// Calls work(context, chunk) for each of [0, chunks), shared with up to `threads` - 1 helpers that sleep
-/// between loops (docs/decisions/0013). The caller takes every chunk that no helper has begun: it never waits
-/// for a thread that the system has not let run. Of exceptions that of the first chunk is thrown on, after
-/// all chunks. A call from within a chunk, or while another thread is in here, runs in place.
+/// Calls work(context, chunk) for each chunk of [0, chunks), shared with up to `threads` - 1 helper threads
+/// that sleep between loops (docs/decisions/0013). The caller takes every chunk that no helper has begun, so
+/// it never waits for a thread that the system has not let run. If chunks throw, the exception of the first
+/// of them is thrown on after all chunks are done. A call from within a chunk, or while another thread runs
+/// such a loop, runs in place.
 void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context);
 
 /// body(chunk, begin, end) for each chunk of [0, n).

@@ -1,18 +1,19 @@
-/// What lies at a path, asked so that every answer is a value or a file error.
+/// What lies at a path. Every answer is a value or a file error, never an exception of the standard library.
 #pragma once
 #include <string>
 
 namespace supple {
 
-/// `pipe`: of a shell, such as <(command). `other`: a device or a socket, which no file is read from or
-/// written to.
+/// `pipe`: such as a shell makes for <(command). `other`: a device or a socket, which we neither read nor
+/// write.
 enum class PathKind { nothing, file, folder, pipe, other };
 
-/// Links are followed. Throws a file error where it cannot be told: a name too long, a folder that may not be
-/// entered.
+/// The kind of what `path` names; links are followed. Throws a file error where the system cannot tell: a
+/// name too long, a folder that may not be entered.
 PathKind path_kind(const std::string& path);
 
-/// Throws a file error unless `path` is a file that may be read; `kind` says what was wanted, "a state".
+/// Throws a file error unless `path` is a file that may be read. `kind` names what was wanted, such as "a
+/// state".
 void check_can_read(const std::string& path, const std::string& kind);
 
 /// Makes a folder where there is none. Throws a file error where it cannot be made, or is something else.

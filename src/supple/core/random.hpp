@@ -7,7 +7,7 @@
 
 namespace supple {
 
-/// What a stream is for. Append only: the numbers are part of every published seed.
+/// What a stream is for. Append only: with other numbers a published seed would give another sample.
 enum class Purpose : std::uint32_t {
   disc_position = 1,
   disc_size = 2,
@@ -24,8 +24,7 @@ enum class Purpose : std::uint32_t {
   test = 100
 };
 
-/// Index of a stream that belongs to two numbers, such as a repeated attempt and a disc; neither may be
-/// negative.
+/// One stream index from two numbers, such as an attempt and a disc; neither may be negative.
 inline std::uint64_t stream_index(std::int32_t high, std::int32_t low) {
   return (static_cast<std::uint64_t>(high) << 32) | static_cast<std::uint32_t>(low);
 }

@@ -18,7 +18,7 @@ double student_probability(double x, int freedom) {
 }
 
 double student_factor(int freedom) {
-  constexpr int most = 1000;  // from there on it is that of the normal distribution, 1.0013 and less
+  constexpr int most = 1000;  // with more degrees of freedom the factor is 1 to within 0.0013
   const double wanted = std::erf(std::sqrt(2.0));
   double low = 0, high = 100;
   for (int i = 0; i < 60; ++i) {

@@ -65,12 +65,12 @@ template <class S>
 constexpr VecOf<S, 3> cross(const VecOf<S, 3>& a, const VecOf<S, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// a turned by +90 degrees.
+/// a turned counter-clockwise by 90 degrees.
 template <class S>
 constexpr VecOf<S, 2> turned_left(const VecOf<S, 2>& a) {
   return {-a[1], a[0]};
 }
-/// (0, 0, w) x a.
+/// The cross product (0, 0, w) x a: velocity of a point at a under the angular velocity w.
 constexpr Vec2 cross(double w, const Vec2& a) { return w * turned_left(a); }
 
 /// Angular velocity or torque: a number about z in 2D, a vector in 3D.

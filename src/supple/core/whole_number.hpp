@@ -12,12 +12,12 @@
 
 namespace supple {
 
-/// Doubles count without a gap up to 9e15.
+/// The largest number of anything; doubles hold every whole number up to 9e15.
 inline constexpr double most_counted = 1e15;
 
-/// The whole number nearest to x. A cast of what an integer cannot hold is undefined, so that is an input
-/// error:
-/// "`what` would be X; `to_do`".
+/// The whole number nearest to x. Casting a double that the integer cannot hold is undefined, so it is an
+/// input error, "`what` would be X (it can be MOST); `to_do`", where |x| is above `most` or what Integer
+/// holds, or x is no number.
 template <class Integer = std::int64_t>
 Integer whole_number(double x, const std::string& what, const std::string& to_do,
                      double most = most_counted) {
