@@ -16,7 +16,8 @@ void for_sites(const System<2>& system, int b, const Visit& visit) {
 
 bool is_one_site(const System<2>& system, int b) { return system.topology.body_size(b) == 1; }
 
-/// The contacts and links of body b are about the same images as before its sites moved by -n.
+/// Keeps the contacts and links of body b about the same images after the lattice vector of n was subtracted
+/// from its sites.
 void follow_body(System<2>& system, const std::vector<std::int32_t>& body, std::int32_t b, const Vec2& n) {
   const auto shift = [&](std::array<std::int32_t, 3>& cells, int sign) {
     for (int d = 0; d < 2; ++d) cells[static_cast<std::size_t>(d)] += sign * static_cast<std::int32_t>(n[d]);
@@ -60,7 +61,7 @@ BodyMotion body_motion(const System<2>& system, int b) {
     motion.mass += s.mass[i];
     motion.inertia += s.mass[i] * dot(arm, arm);
     momentum += s.mass[i] * s.velocity[i];
-    angular += s.mass[i] * cross(arm, s.velocity[i]);  // about the centre: its own velocity adds nothing
+    angular += s.mass[i] * cross(arm, s.velocity[i]);  // about the centre, whose own velocity adds nothing
   });
   motion.velocity = (1 / motion.mass) * momentum;
   motion.spin = motion.inertia > 0 ? angular / motion.inertia : 0;

@@ -1,37 +1,39 @@
-/// Bodies as wholes in a cell that is being sheared, so that nothing is torn: they take the flow of their
-/// centre, lose their motion relative to it, and cross the boundary, each in one piece.
+/// Bodies as wholes in a cell that is being sheared: each body takes the flow at its centre, is damped
+/// relative to it, and crosses the boundary in one piece, so that nothing is torn.
 #pragma once
 #include "supple/model/system.hpp"
 
 namespace supple {
 
-/// The rigid part of the motion of a body: velocity of its centre of mass, and angular velocity about it.
-/// That of a body of one site is its own.
+/// The rigid part of the motion of a body: velocity of its centre of mass [length/time], and angular velocity
+/// about that centre [1/time], counter-clockwise. `inertia` is about the centre, of sites as points. A body
+/// of one site has all of these from its site.
 struct BodyMotion {
   Vec2 centre{}, velocity{};
   double mass = 0, inertia = 0, spin = 0;
 };
 BodyMotion body_motion(const System<2>& system, int body);
 
-/// Its centre alone.
+/// The centre of mass alone [length].
 Vec2 centre_of_mass(const System<2>& system, int body);
 
-/// What a change of the shear rate does to velocities and spins: each body takes the flow velocity of its
-/// centre, v_x += (y - Ly/2) change, and the vorticity of the flow, w -= change/2, as a rigid rotation; its
-/// shape is left to the forces.
+/// Adds to `velocity` and `spin` (one of each site) what a change of the shear rate by `change` [1/time] does
+/// to bodies. Each takes the flow velocity at its centre, v_x += (y - Ly/2) change, and turns as the flow
+/// does, w -= change/2, as a rigid body; its shape follows later, by the forces.
 void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity,
                  std::vector<double>& spin);
 
-/// Changes the shear rate of the cell, and the motion of its bodies by change_flow().
+/// Sets the shear rate of the cell [1/time], and changes the motion of its bodies by change_flow().
 void set_strain_rate(System<2>& system, double rate);
 
-/// Multiplies by `factor` the velocity of each free body relative to the flow at its centre, and its rotation
-/// relative to the rotation of the flow, -rate/2. How its sites move relative to each other stays.
+/// Multiplies by `factor` the velocity of each free body relative to the flow at its centre, and its angular
+/// velocity relative to that of the flow, -rate/2. The motion of its sites beyond this rigid part stays.
 void damp_bodies(System<2>& system, double factor);
 
-/// Brings each body into the cell of its centre, with all its sites, their velocities, and the images of its
-/// contacts and links. Returns whether any moved, of a system
-/// that has bodies: its rows are about other images then. Numerics error as of wrap_site.
+/// Brings each body whose centre has left the cell back into it, with all its sites, their velocities, and
+/// the images of its contacts and links. Returns whether a body of a system with a topology has moved: rows
+/// of the pair table may then be about other images, and the neighbour list must be made again. Throws as
+/// wrap_site does.
 bool wrap_bodies(System<2>& system);
 
 }  // namespace supple

@@ -16,7 +16,7 @@ BodyPair bodies_of(const TouchingSites& t, const std::vector<std::int32_t>& body
   return std::minmax(body[t.first], body[t.second]);
 }
 
-/// Every body as a disc round it, and a row for each pair of bodies that touch.
+/// Each body as the disc that encloses it, with a row for each pair of bodies that touch.
 System<2> bodies_as_discs(const System<2>& system, const std::vector<TouchingSites>& touching,
                           const std::vector<std::int32_t>& body) {
   System<2> discs;

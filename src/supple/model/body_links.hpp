@@ -6,23 +6,26 @@
 
 namespace supple {
 
-/// Two sites of different bodies that touch: x_second - x_first - n for the cells n of the lattice.
+/// Two sites of different bodies that touch. The vector from first to second is x_second - x_first - n, n the
+/// lattice vector of `cells`.
 struct TouchingSites {
   std::int32_t first, second;
   std::array<std::int32_t, 3> cells{};
   auto operator<=>(const TouchingSites&) const = default;
 };
 
-/// Links every pair of `touching` sites, but for those between bodies that the cuts part: bodies are linked,
-/// cut and freed of links as discs at their centres (crosslink), so that the same keys mean the same. Each
-/// link rests at the present distance of its sites. Earlier links are undone. Throws as crosslink does.
+/// Links every pair of `touching` sites whose bodies stay together. Which bodies do is decided by crosslink()
+/// on discs in their places, as large as the bodies (outer_radius): keys mean the same for discs and bodies.
+/// The rest length of a link is the present distance of its sites. Earlier links are undone. Throws as
+/// crosslink does.
 CrosslinkReport link_bodies(System<2>& system, std::vector<TouchingSites> touching, const CrosslinkSpec& spec,
                             std::uint64_t seed);
 
-/// From the first site of a link to the image of the second that it keeps.
+/// Vector from the first site of a link to the image of the second that it is about [length].
 Vec2 link_vector(const System<2>& system, const Link& link);
 
-/// Clusters that links hold together: of each body, numbered from 0 in the order of their first bodies.
+/// Of each body, the number of the cluster of linked bodies that it belongs to; clusters count from 0 in the
+/// order of their first bodies.
 std::vector<std::int32_t> linked_clusters(const System<2>& system);
 
 }  // namespace supple

@@ -1,11 +1,13 @@
-/// A system in other units.
+/// A system of discs in other units.
 #pragma once
 #include "supple/model/system.hpp"
 #include "supple/model/units.hpp"
 
 namespace supple {
 
-/// Multiplies every quantity of the system by its unit's ratio; contacts and links remember lengths.
+/// Multiplies every quantity of the system by the ratio of its units; what contacts and links remember are
+/// lengths. Shapes, rigid bodies and the floor stay as they are: systems that have them are in reduced units
+/// alone.
 template <int Dim>
 void convert(System<Dim>& system, const Units& from, const Units& to) {
   const double length = from.length / to.length, mass = from.mass / to.mass, time = from.time / to.time;

@@ -128,9 +128,8 @@ int remove_links(System<2>& system, double fraction, std::uint64_t seed) {
   std::sort(order.begin(), order.end(),
             [&](auto a, auto b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
 
-  // Going through this order, a link may go unless those still there after it cannot connect its discs. The
-  // links that must stay are therefore the spanning forest that grows from the end of the order (Kruskal
-  // 1956).
+  // In this order a link may be removed if the links after it connect its two discs all the same. The links
+  // that must stay are therefore the spanning forest that grows from the end of the order (Kruskal 1956).
   std::vector<std::int32_t> removable;
   DisjointSets later(system.state.size());
   for (auto row = order.rbegin(); row != order.rend(); ++row)

@@ -11,8 +11,8 @@ namespace supple {
 /// How the scaffold is cut: into the Voronoi cells of random points, or by random straight lines.
 enum class CutKind { voronoi, lines };
 
-/// When isolated discs join a neighbour: before the particles' heights are checked, as joining makes them
-/// taller, or last, as in the published package, where a particle may end up taller than allowed.
+/// When isolated discs are joined to a neighbour. Joining makes particles taller, so it comes before their
+/// heights are checked; the published package joins last, and a particle may end up taller than allowed.
 enum class IsolatedJoin { before_height_check, last };
 
 /// The keys of a case that make crosslinked particles (documentation, Table S2-1).
@@ -45,17 +45,18 @@ struct CrosslinkReport {
 };
 
 /// Links and cuts the discs of a system whose pair table is complete (NeighborList::update); earlier links
-/// are undone. The same seed gives the same particles; the draws of a disc do not depend on the number of
-/// discs. Throws an input error where max_tries cuts each left a particle that spans the height, or on a bad
-/// number.
+/// are undone. The same seed gives the same particles, and the draws of a disc do not depend on how many
+/// discs there are. Throws an input error where each of max_tries cuts left a particle that is too tall, or
+/// where a number of `spec` is out of range.
 CrosslinkReport crosslink(System<2>& system, const CrosslinkSpec& spec, std::uint64_t seed);
 
-/// Joins each disc that has no physical link to one of its touching neighbours at random. Returns how many.
+/// Joins each disc that has no physical link to one of its touching neighbours, chosen at random. Returns how
+/// many were joined.
 int join_isolated_discs(System<2>& system, const std::vector<TouchingPair>& touching, std::uint64_t seed,
                         int attempt);
 
-/// Removes this fraction of the physical links at random (rounded to whole links), or as many as can go with
-/// every particle still connected. Returns how many went.
+/// Removes this fraction of the physical links, rounded to whole links, at random, or fewer where every
+/// particle would not stay connected. Returns how many were removed.
 int remove_links(System<2>& system, double fraction, std::uint64_t seed);
 
 }  // namespace supple

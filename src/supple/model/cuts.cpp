@@ -32,8 +32,8 @@ double nearest_distance(const Box<2>& box, const Vec2& a, const Vec2& b) {
 
   const double level = -std::round((b[gradient] - a[gradient]) / height);
   double nearest = distance_to_row(level);
-  // The row at a's level need not hold the nearest image, but those k rows away are no nearer than (k - 1/2)
-  // height.
+  // The row of images at a's level need not hold the nearest one, but images k rows away are no nearer than
+  // (k - 1/2) height.
   for (int k = 1; (k - 0.5) * height < nearest; ++k)
     nearest = std::min({nearest, distance_to_row(level + k), distance_to_row(level - k)});
   return nearest;
@@ -78,8 +78,8 @@ CutLine random_cut_line(const Box<2>& box, double avoid_horizontal, std::uint64_
                         int line) {
   RandomStream draw(seed, Purpose::cut_line, stream_index(attempt, line));
   const Vec2 point = random_point(box, draw);
-  // A line is horizontal where its normal is vertical. One draw from the allowed range equals redrawing until
-  // allowed.
+  // A line is horizontal where its normal is vertical. One draw from the allowed range has the same
+  // distribution as draws that are repeated until one is allowed.
   const double steepest = std::numbers::pi / 2 - avoid_horizontal;
   const double angle = draw.uniform(-steepest, steepest);
   return {point, {std::cos(angle), std::sin(angle)}};

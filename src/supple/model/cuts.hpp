@@ -11,30 +11,32 @@ namespace supple {
 /// Distance from a to the nearest of all periodic images of b, at any strain and distance.
 double nearest_distance(const Box<2>& box, const Vec2& a, const Vec2& b);
 
-/// `count` uniform random points of the cell. Each `attempt` has fresh ones; more points leave the first
-/// unchanged.
+/// `count` uniform random points of the cell. Each `attempt` draws other points; a larger `count` keeps the
+/// first ones.
 std::vector<Vec2> random_particle_seeds(const Box<2>& box, int count, std::uint64_t seed, int attempt);
 
-/// Nearest point of each disc, where to each distance is added `fuzziness` [length] times a random number in
-/// [0, 1) of its own. The published documentation calls this partition a triangulation.
+/// Of each disc, the index of the nearest point. To each distance is added `fuzziness` [length] times a
+/// random number in [0, 1), drawn for each disc and point. The published documentation calls this partition a
+/// triangulation.
 std::vector<std::int32_t> voronoi_cells(const System<2>& system, std::span<const Vec2> points,
                                         double fuzziness, std::uint64_t seed, int attempt);
 
-/// Cuts the links between discs of different cells.
+/// Cuts the links between discs of different cells; `cell` is that of each disc (voronoi_cells).
 void cut_between_cells(PairTable& pairs, std::span<const TouchingPair> touching,
                        std::span<const std::int32_t> cell);
 
-/// An infinite straight line, not repeated by the boundary; `normal` is a unit vector.
+/// An infinite straight line, of which there are no periodic images; `normal` is a unit vector.
 struct CutLine {
   Vec2 point, normal;
 };
 
-/// A line through a uniform random point, at least `avoid_horizontal` [radian, below pi/2] from horizontal.
+/// A line through a uniform random point of the cell, at an angle of at least `avoid_horizontal` [radian,
+/// below pi/2] to the horizontal.
 CutLine random_cut_line(const Box<2>& box, double avoid_horizontal, std::uint64_t seed, int attempt,
                         int line);
 
-/// Cuts the links whose two ends (the second at its nearest image) lie on different sides of the line, or on
-/// it.
+/// Cuts the links whose two ends lie on different sides of the line, or on it; the second end is the image
+/// nearest to the first.
 void cut_along_line(System<2>& system, std::span<const TouchingPair> touching, const CutLine& line);
 
 /// Cuts along the two plates, y = 0 and y = Ly.

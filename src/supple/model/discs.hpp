@@ -15,26 +15,26 @@ struct DiscSpec {
   double density = 1000;
 };
 
-/// Radii [length] of a bimodal suspension in a cell of this area: half of the discs large, the odd one too,
-/// and the packing fraction exact (S1-14, with the actual numbers). A coin tells which of the discs 2k and
-/// 2k+1 is large.
+/// Radii [length] of a bimodal suspension in a cell of this area [length^2]: half of the discs are large, an
+/// odd last one too, and the packing fraction is exact (S1-14, with the actual numbers of large and small
+/// discs). A coin tells which of the discs 2k and 2k+1 is large.
 std::vector<double> bimodal_radii(const DiscSpec& spec, double area, std::uint64_t seed);
 
-/// A disc of this density at rest: m = rho pi r^2, I = m r^2 / 2.
+/// Adds a disc at rest, with mass m = density pi r^2 and moment of inertia I = m r^2 / 2.
 void add_disc(State<2>& state, const Vec2& position, double radius, double density);
 
-/// Bimodal discs at rest at uniform random positions. Position and size of a disc depend on the seed and its
-/// index alone (and on the common scale of sizes): other counts or sizes reshuffle nothing. Input errors on
-/// bad numbers.
+/// Bimodal discs at rest at uniform random positions. The seed and the index of a disc decide where it is and
+/// whether it is large, so that another count or size ratio reshuffles nothing. Throws input errors on
+/// numbers out of range.
 System<2> random_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
 
-/// The published package's draw of the same suspension (particleShear 1.0.2): each disc large or small at
-/// random, so that the packing fraction holds on average; positions on whole units of length; density (b +
-/// 1/b) / 2 times the nominal one, because its masses assume equal discs.
+/// The same suspension as the published package draws it (particleShear 1.0.2): each disc is large or small
+/// at random, so that the packing fraction holds only on average; positions are whole units of length; and
+/// the density is (b + 1/b) / 2 times the nominal one, because the package takes masses from equal discs.
 System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
 
-/// Equal discs on a periodic triangular lattice of rows along the flow; the box fits it, so `rows` must be
-/// even.
+/// Equal discs on a triangular lattice with `spacing` between neighbours [length], in rows along the flow.
+/// The box is a whole number of its periods, so `rows` must be even.
 System<2> hexagonal_discs(int columns, int rows, double spacing, double radius, double density);
 
 /// Discs as listed; velocity and spin are zero unless given. Input error where the lists differ in length.

@@ -9,8 +9,9 @@
 
 namespace supple {
 
-/// Forces of one row of the pair table; all zero where the pair does not touch. In 2D tangential is the force
-/// along t = (-n_y, n_x) on `first`; the couple that it exerts is shared by S1-3. In 3D it is a vector.
+/// Forces of one row of the pair table; all zero where the pair neither touches nor is linked. In 2D
+/// `tangential` is the force on `first` along t = (-n_y, n_x), and its couple is shared by S1-3; in 3D it is
+/// a vector.
 template <int Dim>
 struct PairForce {
   Vec<Dim> normal;            ///< unit vector from first to the nearest image of second
@@ -23,29 +24,29 @@ struct PairForce {
   bool active = false;        ///< touching or linked
 };
 
-/// Force on `first` of a pair, and its opposite on `second`: repulsion along -n, tangential along t.
+/// Force on `first` of a pair, the opposite of that on `second`: repulsion along -n, tangential along t.
 inline Vec2 force_on_first(double repulsion, double tangential, const Vec2& normal) {
   return -repulsion * normal + tangential * turned_left(normal);
 }
 inline Vec2 force_on_first(const PairForce<2>& row) {
   return force_on_first(row.elastic + row.viscous, row.tangential, row.normal);
 }
-/// Torque per radius on both discs of a pair, F_t d / (r_i + r_j) (S1-3).
+/// Torque on each disc of a pair over its radius, F_t d / d0 with d0 = r_i + r_j (S1-3) [force].
 inline double torque_per_radius(double tangential, double distance, double d0) {
   return tangential * distance / d0;
 }
 
-/// A force from outside on one site.
+/// A force [force] from outside the sample on one site.
 template <int Dim>
 struct SiteForce {
   std::int32_t site;
   Vec<Dim> force;
 };
 
-/// Whether energies and the virial are wanted beside the forces.
+/// Whether an evaluation computes energies and the virial beside the forces.
 enum class Detail { forces, energies };
 
-/// Energy stored and power dissipated, by channel.
+/// Energy stored and power dissipated, by what stores or dissipates it.
 struct EnergyParts {
   double terms = 0, elastic = 0, tangential = 0, wall = 0, external = 0;  ///< [energy]
   double viscous_power = 0, tangential_viscous_power = 0,
@@ -64,10 +65,11 @@ struct EnergyParts {
   double stored() const { return terms + elastic + tangential + wall + external; }
 };
 
-/// Forces and torques on every site, the contacts that made them, and what the law will remember if the step
-/// is accepted (ForceField::commit). `virial` is the sum over contacts of F l^T (F on a site, l from the
-/// other site to it) and over terms of f r^T, and of what keeps rigid bodies together: volume times static
-/// stress, compression positive. `energy` and `virial` are filled on request (Detail::energies).
+/// Forces [force] and torques [torque] on every site, the contacts that made them, and what contacts will
+/// remember if the step is accepted (ForceField::commit). `virial` [energy] is the volume of the cell times
+/// the static stress, compression positive: the sum of F l^T over contacts (F on a site, l from the other
+/// site to it), of f r^T over the terms of bodies, and of what keeps rigid bodies together (rigid_virial).
+/// `energy` and `virial` are filled on request (Detail::energies).
 template <int Dim>
 struct Evaluation {
   std::vector<Vec<Dim>> force;

@@ -9,8 +9,9 @@ namespace supple {
 inline constexpr int flow = 0;      ///< direction of the flow
 inline constexpr int gradient = 1;  ///< direction of the velocity gradient
 
-/// Images of a rectangular cell at one instant, divisions done: for loops over many pairs. The image n is
-/// displaced by n_d length_d, and n_gradient shift along the flow.
+/// Images of a rectangular cell at one instant, with all divisions done beforehand, for loops over many
+/// pairs. The image in cell n is displaced by n_d length_d in each direction d, and further by n_gradient
+/// shift along the flow.
 template <int Dim>
 struct Lattice {
   Vec<Dim> length, per_length;  ///< per_length: 1/length, 0 where the cell is not periodic
@@ -22,15 +23,15 @@ struct Lattice {
     v[flow] += cells[gradient] * shift;
     return v;
   }
-  /// Subtracts that many cells from r, by the operations of reduce().
+  /// Subtracts `cells` from r by the operations of reduce(), so that the bits are the same.
   void subtract(const Vec<Dim>& cells, Vec<Dim>& r) const {
     r[gradient] -= cells[gradient] * length[gradient];
     r[flow] -= cells[gradient] * shift;
     for (int d = 0; d < Dim; ++d)
       if (d != gradient) r[d] -= cells[d] * length[d];
   }
-  /// Moves r to its nearest image; returns the cells that were subtracted, by direction. Exact for distances
-  /// up to half of the shortest length. Free of branches.
+  /// Moves the vector r to its shortest image; returns the cells that were subtracted, by direction. The
+  /// shortest is found if it is at most half of the shortest length of the cell. Free of branches.
   Vec<Dim> reduce(Vec<Dim>& r) const {
     Vec<Dim> cells;
     cells[gradient] = std::floor(r[gradient] * per_length[gradient] + 0.5);
@@ -59,7 +60,7 @@ struct Lattice {
     }
     return cells;
   }
-  /// The cell of x, by direction.
+  /// The cell that x is in, by direction; 0 is the cell [0, length).
   Vec<Dim> cell_of(Vec<Dim> x) const { return wrap(x); }
 };
 

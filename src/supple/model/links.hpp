@@ -13,17 +13,17 @@ namespace supple {
 struct TouchingPair {
   std::int32_t row, first, second;
   Vec2 separation;
-  bool crosses;  ///< whether that image is beyond a periodic boundary
+  bool crosses;  ///< whether `separation` leads across a periodic boundary
 };
 
-/// Every pair closer than the sum of its radii, in the order of the pair table, which must be complete
-/// (NeighborList::update). Throws an input error if the table belongs to another number of discs.
+/// Every pair closer than the sum of its radii, in the order of the pair table. The table must be complete
+/// (NeighborList::update). Throws an input error where it is of another number of discs.
 std::vector<TouchingPair> touching_pairs(const System<2>& system);
 
-/// Makes the pair of this row a permanent link with no elongation; its rest distance is the sum of the radii.
+/// Makes the pair of this row a permanent link without elongation; its rest distance is the sum of the radii.
 void link(PairTable& pairs, std::int32_t row);
-/// Turns the link of this row into an ordinary contact with no elongation (slipping: the next evaluation
-/// decides).
+/// Turns the link of this row into an ordinary contact without elongation. Its state is slip until the next
+/// evaluation decides.
 void cut(PairTable& pairs, std::int32_t row);
 
 /// Which links hold a particle together: all, or the physical ones, which do not cross a periodic boundary.
@@ -33,19 +33,19 @@ enum class LinkKind { all, physical };
 /// Rows of the links of this kind, ascending.
 std::vector<std::int32_t> link_rows(const System<2>& system, LinkKind kind);
 
-/// Particle of each disc, numbered from 0 in the order of their first discs: discs joined by links share a
-/// number.
+/// Of each disc, the number of its particle: discs joined by links share one. Particles count from 0 in the
+/// order of their first discs.
 std::vector<std::int32_t> connected_particles(const System<2>& system, LinkKind kind = LinkKind::physical);
 
-/// Height max(y + r) - min(y - r) of each particle [length].
+/// Height max(y + r) - min(y - r) of each particle [length]; `particle` as of connected_particles().
 std::vector<double> particle_heights(const State<2>& state, std::span<const std::int32_t> particle);
 
-/// Sets of sites, merged two at a time.
+/// Disjoint sets of sites, at first one for each site.
 class DisjointSets {
  public:
   explicit DisjointSets(int size);
   std::int32_t root(std::int32_t site);
-  /// Returns whether the two were apart.
+  /// Unites the sets of a and b. Returns whether they were two.
   bool merge(std::int32_t a, std::int32_t b);
 
  private:

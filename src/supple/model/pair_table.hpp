@@ -7,14 +7,14 @@
 
 namespace supple {
 
-/// Tangential state of a pair. A permanent link never opens.
+/// State of a pair: apart (open), sticking or slipping along t, or a permanent link, which never opens.
 enum class ContactState : std::uint8_t { open = 0, stick = 1, slip = 2, permanent = 3 };
 
-/// Which image of its second site a row is about: the cells to subtract from x_second - x_first, by
-/// direction. Any other row is about the nearest image.
+/// Which image of its second site a row is about. Where `kept`, `cells` are subtracted from x_second -
+/// x_first, by direction; else the row is about the nearest image.
 struct RowImage {
   std::array<std::int32_t, 3> cells{};
-  bool kept = false;  ///< false: the nearest image, whichever that is
+  bool kept = false;  ///< false: the row is about the nearest image
   bool operator==(const RowImage&) const = default;
 };
 
@@ -26,12 +26,13 @@ struct PairTable {
   std::vector<ContactState> state;
   std::vector<double> history;
   int width = 1;
-  /// Of each row, while some link is so long that its image need not be the nearest one; else empty. A link
-  /// keeps its image for life (NeighborList notes it, wrap_site follows it over the boundary).
+  /// One of each row while some link is so long that its image need not be the nearest one; else empty. A
+  /// link keeps its image for life: NeighborList notes it, and wrap_site changes it when a site crosses the
+  /// boundary.
   std::vector<RowImage> image;
   std::uint64_t version = 0;  ///< changes whenever rows come or go
-  /// How far pairs without a row were from touching when the table was made [length]; infinite for rows made
-  /// by hand.
+  /// How far pairs without a row were at least from touching when the table was made [length]; infinite for
+  /// rows made by hand.
   double skin = std::numeric_limits<double>::infinity();
   /// Distance within which every pair has a row, links apart [length]; infinite for rows made by hand.
   double reach = std::numeric_limits<double>::infinity();
@@ -64,14 +65,14 @@ struct PairTable {
   }
 };
 
-/// Makes room for that many numbers of history a row: from two to one the mean is kept (the two elongations
-/// of the published package), from one to two the number is repeated.
+/// Changes the numbers of history in a row to `width`. From two (the elongations of the published package) to
+/// one the mean is kept; from one to two the number is repeated.
 void set_history_width(PairTable& pairs, int width);
 
-/// Fills `begin` from `first`, for that many sites.
+/// Fills `begin` from `first`, for `sites` sites.
 void index_rows(PairTable& pairs, int sites);
 
-/// Site i was moved by that many cells, subtracted: its rows are about the same images as before.
+/// Keeps the rows of site i about the same images after `cells` were subtracted from its position.
 void follow_images(PairTable& pairs, std::int32_t i, const std::array<std::int32_t, 3>& cells);
 
 /// Sets the state of the pair (i, j), i < j, adding its row where it has none, and zeroes its history.

@@ -7,20 +7,22 @@
 
 namespace supple {
 
-/// How the shape energy of a family is given [MacKeith 2025, Table 9.1].
+/// How the stiffnesses of a family [MacKeith 2025, Table 9.1] are meant.
 enum class StiffnessKind {
   absolute,  ///< (k_a/2)(a - a0)^2, (k_l/2)(l - l0)^2: energy/length^4, energy/length^2
   relative   ///< (k_a/2)(a/a0 - 1)^2, (k_l/2)(l/l0 - 1)^2: energy
 };
 
-/// Shape energy of one particle before its size is known: k_a, k_l, k_b, gamma. Line tension is relative like
-/// the rest: gamma p/p0.
+/// Shape energy of one particle before its size is known: k_a, k_l, k_b and gamma, in this order. Relative
+/// line tension has the energy gamma p/p0, p the perimeter; bending is the same in both kinds.
 struct ShapeSpec {
   double area = 1, length = 1, bending = 0, tension = 0;
   StiffnessKind kind = StiffnessKind::relative;
-  /// Preferred shape parameter A0 = p0^2/(4 pi a0); 0: that of the regular polygon, the least.
+  /// Preferred shape parameter A0 = p0^2/(4 pi a0), p0 the preferred perimeter and a0 the preferred area; 0:
+  /// that of the regular polygon, the least possible.
   double shape_parameter = 0;
-  /// Rest angle of every corner: 2 pi/N (true) or 0; without an effect on forces, as the angles sum to 2 pi.
+  /// Rest angle of every corner: 2 pi/N (true) or 0 [radian]. The choice changes no force, as the angles sum
+  /// to 2 pi.
   bool regular_angles = true;
 };
 
@@ -31,10 +33,12 @@ struct ShapeSpec {
 void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double angle, double diameter_ratio,
                  const ShapeSpec& shape);
 
-/// Adds a smooth disc: a body of one site of mass 1. All its bodies must be added by these functions.
+/// Adds a smooth disc: a body of one site of mass 1. All bodies of a system must be added by these functions.
 void add_disc_body(System<2>& system, const Vec2& centre, double radius);
 
-/// Adds a body of these vertices as they are (counter-clockwise, unwrapped) with rest values of its own.
+/// Adds a polygon of these vertices as they are (counter-clockwise, unwrapped), each of mass 1 and this
+/// radius [length], with its own rest area, rest length of each edge and rest angle of each corner (see
+/// Topology). Input error where there are less than three or the lists differ in length.
 void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radius,
               const ShapeStiffness& stiffness, double rest_area, const std::vector<double>& rest_length,
               const std::vector<double>& rest_angle);
@@ -42,7 +46,7 @@ void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radiu
 /// N tan(pi/N)/pi, the shape parameter p^2/(4 pi a) of a regular polygon, the least that n edges allow.
 double least_shape_parameter(int n);
 
-/// Absolute stiffnesses of a particle of preferred area a0 and edge length l0 with n edges.
+/// Absolute stiffnesses (ShapeStiffness) of a particle of n edges with preferred area a0 and edge length l0.
 ShapeStiffness absolute_stiffness(const ShapeSpec& shape, double a0, double l0, int n);
 
 }  // namespace supple

@@ -1,4 +1,5 @@
-/// The image that a row of the pair table is about, and how it follows its sites over the boundary.
+/// The image that a row of the pair table is about, and how the row keeps it when a site crosses the
+/// boundary.
 #pragma once
 #include <cmath>
 #include <string>
@@ -15,8 +16,8 @@ Vec<Dim> cells_of(const RowImage& image) {
   return cells;
 }
 
-/// Vector from the first site of the row to the image of the second that it is about: its own, where it keeps
-/// one, or the nearest.
+/// Vector from the first site of the row to the image of the second that the row is about: the one that it
+/// keeps (RowImage), or else the nearest.
 template <int Dim>
 typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int32_t row) {
   const PairTable& pairs = system.pairs;
@@ -25,11 +26,11 @@ typename Box<Dim>::Separation row_separation(const System<Dim>& system, std::int
   return system.box.separation(a, b, cells_of<Dim>(pairs.image[row]));
 }
 
-/// Cells that a site may leave behind at once: a coordinate of more has lost the digits that contacts need.
+/// Most cells that a site may cross at once: a coordinate further out lacks the digits that contacts need.
 inline constexpr double most_cells_passed = 1e6;
 
-/// Whether a site may leave that many cells behind: not where they are no numbers. Numerics error where they
-/// are more than `most_cells_passed`.
+/// Whether a site can be moved by these cells: false where they are not finite numbers. Numerics error where
+/// they are more than `most_cells_passed`.
 template <int Dim>
 bool is_passable(std::int32_t site, const Vec<Dim>& cells) {
   for (int d = 0; d < Dim; ++d) {
@@ -41,7 +42,8 @@ bool is_passable(std::int32_t site, const Vec<Dim>& cells) {
   return true;
 }
 
-/// Asked at every step of every site, and hardly ever not so.
+/// Whether x is in the cell, or beyond it only where the cell is not periodic. Asked for every site at every
+/// step, and nearly always true.
 template <int Dim>
 bool is_in_cell(const Box<Dim>& box, const Vec<Dim>& x) {
   bool inside = true;
@@ -49,8 +51,8 @@ bool is_in_cell(const Box<Dim>& box, const Vec<Dim>& x) {
   return inside;
 }
 
-/// Brings site i into the cell, with its velocity; links keep their images. Numerics error where it has left
-/// more cells behind than `most_cells_passed`; numbers that are not finite stay.
+/// Brings site i into the cell, with its velocity; links keep their images. A position that is not finite
+/// stays. Numerics error where the site has crossed more than `most_cells_passed` cells.
 template <int Dim>
 void wrap_site(System<Dim>& system, std::int32_t i) {
   if (is_in_cell(system.box, system.state.position[i])) return;

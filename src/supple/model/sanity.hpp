@@ -7,22 +7,22 @@
 
 namespace supple {
 
-/// Sizes of numbers of which products of four are numbers still.
+/// Bounds of size between which the product of four numbers neither overflows nor becomes 0.
 inline constexpr double least_number = 1e-60, most_number = 1e60;
-/// Whether this can be computed with: 0, or of such a size.
+/// Whether x is 0 or its size is within these bounds.
 inline bool is_computable(double x) {
   return x == 0 || (std::abs(x) >= least_number && std::abs(x) <= most_number);
 }
 
 /// Throws an input error that begins with `what` ("the state to start from") unless
 /// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths are positive;
-/// * every number is_computable(), and not 0 where it may not be;
+/// * every number is_computable(), and none is 0 that may not be;
 /// * no site lies further out than 1e9 of the smallest radius (nor the cell reaches further): positions, of
 /// 16 digits,
 ///   would not resolve contacts;
 /// * the largest radius is at most 1e7 of the smallest one;
-/// * the kinetic energy is finite.
-/// Whatever makes or reads a sample calls it, so that loops over sites, grids and steps may rely on it.
+/// * the kinetic energy is finite. Whatever makes or reads a sample calls this, so that loops over sites,
+///   grids and steps may rely on it.
 void require_sane(const System<2>& system, const std::string& what);
 
 }  // namespace supple

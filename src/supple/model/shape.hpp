@@ -1,4 +1,5 @@
-/// The preferred shape of deformable bodies: data of the shape energy, which plastic flow may change.
+/// The preferred shape of deformable bodies: stiffnesses and rest values of the shape energy. Plastic flow
+/// may change the rest values.
 #pragma once
 #include <vector>
 
@@ -14,12 +15,12 @@ struct ShapeStiffness {
   double tension = 0;  ///< gamma [energy/length] in 2D
 };
 
-/// Stiffness and rest value per body, and rest values aligned with Topology::facet and ::hinge. Empty: no
-/// body has a shape.
+/// Stiffnesses and rest volume of each body, and rest values aligned with Topology::facet and ::hinge. Empty:
+/// no body has a shape energy.
 struct Shape {
-  std::vector<ShapeStiffness> stiffness;  ///< of each body; zero for discs and rigid bodies
-  std::vector<double> rest_volume;        ///< of each body
-  std::vector<double> rest_facet, rest_hinge;
+  std::vector<ShapeStiffness> stiffness;       ///< of each body; 0 for discs and rigid bodies
+  std::vector<double> rest_volume;             ///< of each body; an area in 2D [length^2]
+  std::vector<double> rest_facet, rest_hinge;  ///< of edges in 2D [length]; of corners [radian]
 
   bool empty() const { return stiffness.empty(); }
 };

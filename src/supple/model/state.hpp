@@ -7,11 +7,14 @@
 
 namespace supple {
 
-/// How a site moves: by its forces; with the upper or lower plate (it may spin); or not at all (it may spin).
+/// How a site moves: by the forces on it; with the lower or upper plate; or not at all. It may spin in every
+/// case.
 enum class Mobility : std::uint8_t { free = 0, lower_plate = 1, upper_plate = 2, fixed = 3 };
 inline bool is_plate(Mobility m) { return m == Mobility::lower_plate || m == Mobility::upper_plate; }
 
-/// Arrays over sites. Angle, spin and inertia are of sites that can spin (discs).
+/// Arrays over sites: position and radius [length], velocity [length/time], mass (per depth in 2D), angle
+/// [radian], spin [1/time] and moment of inertia [mass length^2]. Angle and spin are counter-clockwise; they
+/// matter for discs, as vertices do not spin.
 template <int Dim>
 struct State {
   std::vector<Vec<Dim>> position, velocity;

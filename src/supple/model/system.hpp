@@ -23,12 +23,13 @@ struct System {
   PairTable pairs;
   TouchTable touches;       ///< of bodies of many sites, where contacts remember
   std::vector<Link> links;  ///< between bodies of many sites, ascending by (first, second)
-  /// Where each site sticks to the floor, along it; not a number where it does not. Empty: no floor with
-  /// friction.
+  /// Where along the floor each site sticks to it [length]; not a number where it does not. Empty: no floor
+  /// with friction.
   std::vector<double> floor_contact;
   double time = 0;
-  /// Time over which the present velocities carried the positions while contact history has not yet followed:
-  /// the last step of a leapfrog, 0 where position and velocity are of one instant.
+  /// The last step of a leapfrog [time]: the present velocities have carried the positions over it, and are
+  /// half of it behind them; the memory of contacts has not followed yet. 0: positions, velocities and memory
+  /// are of one instant.
   double lag = 0;
   std::int64_t step = 0;
 };

@@ -6,10 +6,11 @@
 
 namespace supple {
 
-/// Sites [begin[b], begin[b+1]) form body b; empty `begin`: every site is a body of its own (discs).
-/// A facet has Dim sites (edge, triangle); a hinge joins two facets (Dim + 1 sites); a bond joins two sites.
-/// Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon leaves
-/// its vertex k, counter-clockwise, and hinge k is the corner there: (previous, k, next).
+/// Sites [begin[b], begin[b+1]) form body b; where `begin` is empty every site is a body of its own (discs).
+/// A facet has Dim sites (an edge, a triangle), a hinge joins two facets (Dim + 1 sites), a bond joins two
+/// sites. Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon
+/// is the edge from its vertex k to the next one, counter-clockwise, and hinge k is the corner (previous, k,
+/// next).
 template <int Dim>
 struct Topology {
   std::vector<std::int32_t> begin, facet_begin, hinge_begin;
@@ -23,7 +24,7 @@ struct Topology {
   int body_size(int b) const { return body_end(b) - body_begin(b); }
 };
 
-/// Body of each site.
+/// The body that each of the `sites` sites belongs to.
 template <int Dim>
 std::vector<std::int32_t> bodies_of_sites(const Topology<Dim>& topology, int sites) {
   std::vector<std::int32_t> body(static_cast<std::size_t>(sites));

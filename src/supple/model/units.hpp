@@ -1,4 +1,4 @@
-/// Units of a run: the engine computes in them, files name them, and pictures convert to SI.
+/// Units of a run. The engine computes in them, files say what they are, and pictures convert to SI.
 #pragma once
 #include <string>
 
@@ -22,7 +22,7 @@ struct Units {
 };
 
 inline Units si_units() { return {}; }
-/// Units without names: deformable particles, whose lengths count in the size of a particle.
+/// Dimensionless units of deformable particles: the preferred area of a small one is 1, a vertex has mass 1.
 inline Units reduced_units() { return {"reduced", 1, 1, 1}; }
 /// Units of the published package and its files: micrometre, milligram, second.
 inline Units particleshear_units() { return {"um mg s", 1e-6, 1e-6, 1}; }
