@@ -8,7 +8,7 @@ namespace supple {
 
 /// Enclosed area in 2D, volume in 3D [MacKeith 2025, eq. 9.1-9.2]:
 ///     E = (k/2) (v - v0)^2,   k [energy / length^(2 Dim)],  v0 [length^Dim].
-/// A body term: a function of the volume that the facets of a closed boundary enclose.
+/// A term of a whole body: a function of the area or volume v that the facets of its closed boundary enclose.
 struct EnclosedVolume {
   static constexpr std::string_view name = "enclosed_volume";
   struct Param {

@@ -7,7 +7,8 @@
 
 namespace supple {
 
-/// Facet stretching, an edge in 2D and a triangle in 3D [MacKeith 2025, eq. 9.1-9.2]:
+/// Stretching of a facet, of an edge of length a in 2D or a triangle of area a in 3D [MacKeith 2025, eq.
+/// 9.1-9.2]:
 ///     E = (k/2) (a - a0)^2,   k [energy / length^(2(Dim-1))],  a0 [length^(Dim-1)].
 template <int Dim>
 struct FacetStretch {

@@ -7,7 +7,8 @@
 
 namespace supple {
 
-/// Line tension in 2D, surface tension in 3D [MacKeith 2025, eq. 9.1-9.2]:
+/// Line tension of an edge of length a in 2D, surface tension of a triangle of area a in 3D [MacKeith 2025,
+/// eq. 9.1-9.2]:
 ///     E = gamma a,   gamma [energy / length^(Dim-1)].
 template <int Dim>
 struct FacetTension {

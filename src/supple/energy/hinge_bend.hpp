@@ -8,7 +8,7 @@
 namespace supple {
 
 /// Bending of a hinge [MacKeith 2025, eq. 9.1-9.2]:
-///     E = (k/2) (theta - theta0)^2,   k [energy], theta the exterior angle, 0 where flat.
+///     E = (k/2) (theta - theta0)^2,   k [energy], theta the exterior angle [radian], 0 where flat.
 template <int Dim>
 struct HingeBend {
   static constexpr std::string_view name = "hinge_bend";

@@ -9,10 +9,10 @@
 
 namespace supple {
 
-/// Terms of a fixed stencil.
+/// Terms of a few sites (a stencil) each.
 template <int Dim>
 using Terms = std::tuple<FacetStretch<Dim>, FacetTension<Dim>, HingeBend<Dim>>;
-/// Terms of a whole body.
+/// Terms of all sites of a body.
 using BodyTerms = std::tuple<EnclosedVolume>;
 
 }  // namespace supple

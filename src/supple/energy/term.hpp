@@ -1,4 +1,4 @@
-/// What a conservative term is, and its derivatives.
+/// What a conservative term is, and how it is differentiated.
 #pragma once
 #include <array>
 #include <concepts>
@@ -8,19 +8,20 @@
 
 namespace supple {
 
-/// The points that a term sees: unwrapped positions of the `arity` sites of one stencil.
+/// What a term is a function of: the unwrapped positions of the `arity` sites of one stencil.
 template <class Term, int Dim, class S = double>
 using Points = VecOf<S, Dim>[Term::arity];
 
-/// A pure function of a few points and its parameters: energy(x, p), written once for any scalar. It knows no
-/// box, no neighbour, no file. Its energy may not change when the points move rigidly.
+/// A pure function energy(x, p) of a few points x and parameters p, written once for any scalar type, so that
+/// it can be differentiated. It knows no box, neighbour or file. A rigid motion of the points must not change
+/// it.
 template <class Term, int Dim>
 concept ConservativeTerm = requires(const Points<Term, Dim>& x, const typename Term::Param& p) {
   { Term::energy(x, p) } -> std::convertible_to<double>;
 };
 
-/// A term that also has a hand-written gradient(x, p, g), which returns the energy: for terms that a profile
-/// shows.
+/// A term that also has a hand-written gradient(x, p, g), which fills g and returns the energy: worth writing
+/// for terms that take a large share of the time.
 template <class Term, int Dim>
 concept HasGradient = requires(const Points<Term, Dim>& x, const typename Term::Param& p,
                                Points<Term, Dim>& g) {
@@ -33,7 +34,8 @@ concept BodyTerm = requires(double volume, const typename Term::Param& p) {
   { Term::energy(volume, p) } -> std::convertible_to<double>;
 };
 
-/// Energy, and its gradient g by every point, by differentiation of the energy.
+/// Returns the energy, and fills g with its gradient with respect to every point, by automatic
+/// differentiation (Jet).
 template <class Term, int Dim>
 double jet_gradient(const Points<Term, Dim>& x, const typename Term::Param& p, Points<Term, Dim>& g) {
   constexpr int n = Term::arity * Dim;
@@ -49,7 +51,7 @@ double jet_gradient(const Points<Term, Dim>& x, const typename Term::Param& p, P
   return energy.value;
 }
 
-/// Energy and gradient, by the term's own gradient where it has one.
+/// Returns the energy and fills its gradient g, by the term's own gradient() where it has one.
 template <class Term, int Dim>
 double term_gradient(const Points<Term, Dim>& x, const typename Term::Param& p, Points<Term, Dim>& g) {
   if constexpr (HasGradient<Term, Dim>) return Term::gradient(x, p, g);

@@ -1,4 +1,4 @@
-/// Intervals sorted into bands of a line, to find those at a point without asking all of them.
+/// Intervals of a line, sorted into bands so that those at a point are found without a look at all of them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,9 @@ struct Interval {
   double low, high;
 };
 
-/// About as many bands as intervals, but none narrower than they are on average: the lists hold at most three
-/// numbers for each interval.
+/// Equal bands of the line, each with the list of the intervals that meet it. There are at most as many bands
+/// as intervals, and none is narrower than the mean interval: the lists hold at most three numbers for each
+/// interval.
 class Bands {
  public:
   explicit Bands(std::span<const Interval> intervals) {
@@ -38,10 +39,11 @@ class Bands {
         index_[static_cast<std::size_t>(next[b]++)] = static_cast<std::int32_t>(k);
   }
 
-  /// Ascending indices of a superset of the intervals that hold x.
+  /// Ascending indices of the intervals that meet the band of x: those that hold x, and a few others.
   std::span<const std::int32_t> at(double x) const { return band(band_of(x)); }
 
-  /// The same of the intervals that meet low .. high, each once, in any order.
+  /// f(index) for each interval that meets a band of low .. high: those that meet low .. high, and a few
+  /// others, each once, in no order. `intervals` are those of the constructor.
   template <class F>
   void for_each_meeting(double low, double high, std::span<const Interval> intervals, const F& f) const {
     for (std::size_t b = band_of(low); b <= band_of(high); ++b)

@@ -9,9 +9,9 @@
 
 namespace supple {
 
-/// Sites at the time `back` before the present one, as their present velocities have carried them; 0: as
-/// they are. A leapfrog's velocities are exact half a step back, so that the motion v (rigid rotation) about
-/// positions x - back v is free of the error of second order which it has about x.
+/// Sites at the time `back` before the present: positions x - back v; 0: as they are. The velocities of a
+/// leapfrog belong to the middle of the last step. In a rigid rotation they are an exact rotation about the
+/// positions of that instant, x - (dt/2) v, while about x there is an error of second order in dt.
 struct Instant {
   const State<2>& state;
   double back = 0;  ///< [time]
@@ -20,28 +20,32 @@ struct Instant {
   Vec2 edge(std::int32_t a, std::int32_t b) const {
     return state.position[b] - state.position[a] - back * (state.velocity[b] - state.velocity[a]);
   }
-  /// What turns a disc as the straight steps of its neighbours turn them: a point at angle 0 that moves
-  /// straight on to the angle w back in the time `back` has the angular velocity tan(w back)/back.
+  /// Angular velocity of a disc that agrees with straight steps of other sites [1/time]. A point that moves
+  /// straight, perpendicular to its arm, and reaches the angle w back in the time `back` had the angular
+  /// velocity tan(w back)/back.
   double spin(std::int32_t a) const {
     return back > 0 ? std::tan(back * state.spin[a]) / back : state.spin[a];
   }
 };
 
-/// A rotation rate that is linear in velocities and spins, w = sum W_k . v_k + sum S_k w_k; a torque T on
-/// what turns so acts as forces W_k T and torques S_k T, of the same power T w. Forces add to zero and their
-/// torques, with the spins', to T times the sum of the shares that were added.
+/// An angular velocity that is linear in velocities and spins of sites, w = sum W_k . v_k + sum S_k w_k, as a
+/// sum of shares of edges, vertices and discs. A torque T on what turns by w acts as forces W_k T and torques
+/// S_k T, whose power is T w. The forces add to zero. The torque of all together is T times the sum of the
+/// shares.
 class BoundaryRotation {
  public:
   void clear() {
     sites_.clear();
     spins_.clear();
   }
-  /// Share of the edge from a to b: w = (v_b - v_a) . m / l, l its length and m its normal on the left.
+  /// Adds `share` times the rotation of the edge from a to b, (v_b - v_a) . m / l, l its length and m its
+  /// normal on the left.
   void add_edge(double share, std::int32_t a, std::int32_t b, const Instant& at) {
     const Vec2 e = at.edge(a, b);
     add_difference(share / dot(e, e), a, b, e);
   }
-  /// Share of a vertex: the mean of its two edges, weighted by their lengths; of a disc, its spin.
+  /// Adds `share` times the rotation of a vertex: the mean over its two edges, weighted by their lengths; of
+  /// a disc, its spin.
   void add_vertex(double share, const Ring& ring, std::int32_t i, const Instant& at) {
     if (ring.is_disc()) {
       spins_.push_back({i, share});
@@ -54,14 +58,14 @@ class BoundaryRotation {
     add_difference(per_length / m, i, after, next);
   }
 
-  /// [1/time].
+  /// The angular velocity w [1/time].
   double rate(const Instant& at) const {
     double w = 0;
     for (const SiteShare& s : sites_) w += dot(s.weight, at.state.velocity[s.site]);
     for (const SpinShare& s : spins_) w += s.share * at.spin(s.site);
     return w;
   }
-  /// Adds the forces and torques of a torque, and sum f x^T of the forces [energy].
+  /// Adds the forces and torques that a torque T acts as, and sum f x^T of these forces to `virial` [energy].
   void apply(double torque, const State<2>& state, std::vector<Vec2>& forces, std::vector<double>& torques,
              Mat2& virial) const {
     for (const SiteShare& s : sites_) {

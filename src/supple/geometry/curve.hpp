@@ -1,4 +1,4 @@
-/// Segments and arcs of which outlines are made: crossings, and the area that they enclose.
+/// Segments and arcs, of which outlines are made: where they cross, and the area that they enclose.
 #pragma once
 #include <vector>
 
@@ -17,11 +17,11 @@ struct Bounds {
     return low[0] <= x[0] && x[0] <= high[0] && low[1] <= x[1] && x[1] <= high[1];
   }
   Bounds shifted(const Vec2& by) const { return {low + by, high + by}; }
-  /// Grows it to hold `b`.
+  /// Grows the rectangle to hold `b`.
   void include(const Bounds& b);
 };
 
-/// A segment, or an arc where `radius` > 0; t runs through it from 0 to 1.
+/// A segment, or an arc where `radius` > 0; the parameter t runs from 0 at its begin to 1 at its end.
 struct Curve {
   Vec2 from{}, along{};  ///< segment: from + t along
   Vec2 centre{};         ///< arc: about this point, from angle `begin` by `sweep` > 0
@@ -35,16 +35,17 @@ struct Curve {
 
   bool straight() const { return !(radius > 0); }
   Vec2 at(double t) const;
-  /// 1/2 of the integral of (x - origin) x dx over [t0, t1]: summed over a closed outline, the area within
-  /// it.
+  /// Half the integral of the cross product (x - origin) x dx from t0 to t1 [length^2]. Its sum over a closed
+  /// counter-clockwise outline is the area within.
   double swept_area(const Vec2& origin, double t0, double t1) const;
-  /// A rectangle that holds it, a little larger, so that rounding hides no touch; for an arc, of its whole
-  /// circle.
+  /// A rectangle that holds the curve (of an arc: the whole circle), a little larger, so that rounding hides
+  /// no touch.
   Bounds bounds() const;
 };
 
-/// Appends the t at which `a` meets `b`. It never misses a crossing for rounding, and may add points that are
-/// none (touching ends; an arc `b` counts as its circle): for cutting `a` into pieces that do not cross `b`.
+/// Appends the t of `a` at which it meets `b`, for cutting `a` into pieces that do not cross `b`. No crossing
+/// is missed because of rounding; some points may be none (ends that touch; an arc `b` counts as its whole
+/// circle).
 void append_crossings(const Curve& a, const Curve& b, std::vector<double>& t);
 
 }  // namespace supple

@@ -6,10 +6,10 @@
 
 namespace supple {
 
-/// Part of the overlap of two discs that lies on the far side, seen from the disc of radius `own`, of the
-/// line through the points where the circles cross: what that disc loses if the two meet in a planar
-/// interface [length^2; MacKeith 2025, eq. 9.20]. The two shares add to the overlap, also where one disc
-/// holds the other; two equal discs at one place share it in halves. 0 for discs apart.
+/// Area that the disc of radius `own` loses to the other one if the two meet in a straight interface, the
+/// line through the points where the circles cross: the segment of the disc beyond that line [length^2;
+/// MacKeith 2025, eq. 9.20]. The shares of the two discs add to their overlap, also where one disc holds the
+/// other; two equal discs at one place have half of it each. 0 for discs apart.
 inline double overlap_share(double own, double other, double distance) {
   if (!(distance < own + other)) return 0;
   if (distance == 0 && own == other) return 0.5 * std::numbers::pi * own * own;

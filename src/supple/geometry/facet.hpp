@@ -16,14 +16,15 @@ S facet_measure(const VecOf<S, 3> (&x)[3]) {
   return 0.5 * norm(cross(x[1] - x[0], x[2] - x[0]));
 }
 
-/// Signed area between an edge and the origin [length^2]; around a closed boundary they sum to the enclosed
-/// area.
+/// Signed area of the triangle of the origin and an edge [length^2]; around a closed boundary these sum to
+/// the enclosed area.
 template <class S>
 S facet_volume(const VecOf<S, 2> (&x)[2]) {
   return 0.5 * cross(x[0], x[1]);
 }
 
-/// Signed volume between a triangle and the origin [length^3].
+/// Signed volume of the tetrahedron of the origin and a triangle [length^3]; over a closed surface these sum
+/// to the enclosed volume.
 template <class S>
 S facet_volume(const VecOf<S, 3> (&x)[3]) {
   return (1.0 / 6) * dot(x[0], cross(x[1], x[2]));

@@ -5,8 +5,8 @@
 
 namespace supple {
 
-/// Exterior (turning) angle at x[1] of a counter-clockwise boundary x[0], x[1], x[2], in (-pi, pi]; around a
-/// simple polygon they sum to 2 pi.
+/// Exterior (turning) angle at x[1] of a counter-clockwise boundary x[0], x[1], x[2] [radian], in (-pi, pi].
+/// The angles of a simple polygon sum to 2 pi.
 template <class S>
 S hinge_angle(const VecOf<S, 2> (&x)[3]) {
   using std::atan2;
@@ -14,8 +14,8 @@ S hinge_angle(const VecOf<S, 2> (&x)[3]) {
   return atan2(cross(before, after), dot(before, after));
 }
 
-/// Angle between the outward normals of the triangles (x[0], x[1], x[2]) and (x[1], x[0], x[3]) along their
-/// edge x[0] x[1].
+/// Angle between the outward normals of the triangles (x[0], x[1], x[2]) and (x[1], x[0], x[3]), which share
+/// the edge x[0] x[1] [radian].
 template <class S>
 S hinge_angle(const VecOf<S, 3> (&x)[4]) {
   using std::atan2;

@@ -6,9 +6,8 @@
 
 namespace supple {
 
-/// Distance from the origin to the convex hull of these points, 0 inside, to a part 1e-9 of the farthest of
-/// them [Wolfe 1976, Math. Program. 11, 128: the nearest point by corrals of affinely independent points].
-/// Infinite for no points.
+/// Distance from the origin to the convex hull of these points, 0 inside, with an error of at most 1e-9 of
+/// the distance of the farthest point [Wolfe 1976, Math. Program. 11, 128]. Infinite for no points.
 double distance_to_hull(std::span<const Vec3> points);
 
 }  // namespace supple

@@ -15,7 +15,7 @@ inline double polygon_area(std::span<const Vec2> ring) {
   return 0.5 * twice;
 }
 
-/// Distance from x to the closed segment from a to b.
+/// Distance from x to the closed segment from a to b [length].
 inline double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
   const Vec2 edge = b - a, r = x - a;
   const double square = dot(edge, edge);

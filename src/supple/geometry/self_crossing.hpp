@@ -8,8 +8,8 @@
 
 namespace supple {
 
-/// Two edges of the ring that cross, each by the number of its first vertex; nothing where none do. Edges
-/// that only touch do not count. Edges are compared where their extents along x overlap.
+/// Two edges of the ring that cross, each by the number of its first vertex; nothing where no two do. Edges
+/// that only touch do not count. Only edges whose extents along x overlap are compared.
 std::optional<std::pair<int, int>> find_self_crossing(std::span<const Vec2> ring);
 
 }  // namespace supple

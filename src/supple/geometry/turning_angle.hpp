@@ -7,10 +7,11 @@
 
 namespace supple {
 
-/// atan2(sine, cosine), where hypot(sine, cosine) = product (of the two lengths). Half of the angle has the
-/// tangent |sine|/(product + cosine); it is reduced to at most tan(pi/8), where a polynomial of degree 23
-/// serves. Measured error: 5e-16 up to 1.6 rad, 5e-15 up to 3.1; towards pi product + cosine cancels (1e-9 at
-/// pi - 1e-7: a spike, as no particle has).
+/// The angle from one vector to another [radian], atan2(sine, cosine): `sine` is their cross product,
+/// `cosine` their dot product and `product` the product of their lengths, hypot(sine, cosine). Half of the
+/// angle has the tangent |sine|/(product + cosine), reduced to at most tan(pi/8), where a polynomial of
+/// degree 23 is enough. Measured error: 5e-16 up to 1.6 rad, 5e-15 up to 3.1. Near pi product + cosine
+/// cancels (error 1e-9 at pi - 1e-7: a spike sharper than any particle has).
 inline double turning_angle(double sine, double cosine, double product) {
   constexpr double quarter = 0.78539816339744830961, tan_eighth = 0.41421356237309504880;
   const double up = std::abs(sine), down = product + cosine;
@@ -34,12 +35,12 @@ inline double turning_angle(double sine, double cosine, double product) {
   return std::copysign(2 * half, sine);
 }
 
-/// Least cosine that blunt_turning_angle takes: 60 degrees either way.
+/// Least cosine that blunt_turning_angle is right for: that of 60 degrees.
 inline constexpr double least_blunt_cosine = 0.5;
 
-/// The same for two unit vectors at no more than 60 degrees, half the work: theta = sin(theta) g(1 -
-/// cos(theta)) with g(w) = acos(1 - w)/sqrt(w (2 - w)), which is smooth, so that nothing is divided. Measured
-/// error: 3e-16.
+/// The same for two unit vectors at no more than 60 degrees, in half the time: theta = sin(theta) g(1 -
+/// cos(theta)) with the smooth function g(w) = acos(1 - w)/sqrt(w (2 - w)), a polynomial without division.
+/// Measured error: 3e-16.
 inline double blunt_turning_angle(double sine, double cosine) {
   const double w = 1 - cosine, w2 = w * w, w4 = w2 * w2;
   // Chebyshev interpolation on 0 <= w <= 1/2: relative error 5e-17. In parts, for short chains of operations.
