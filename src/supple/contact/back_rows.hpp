@@ -8,11 +8,11 @@
 
 namespace supple {
 
-/// Rows are sorted by their first site; a site that gathers its contacts also needs those in which it is the
-/// second one.
+/// For each site, the rows in which it is the second one. The pair table is sorted by first sites, and a site
+/// that gathers all of its contacts needs both kinds.
 class BackRows {
  public:
-  /// Finds them again if the rows have changed.
+  /// Lists the rows again if the table has changed.
   void update(const PairTable& pairs, int sites) {
     if (version_ == pairs.version && static_cast<int>(begin_.size()) == sites + 1 &&
         row_.size() == static_cast<std::size_t>(pairs.size()))
@@ -25,7 +25,7 @@ class BackRows {
     for (int row = 0; row < pairs.size(); ++row) row_[next[pairs.second[row]]++] = row;
     version_ = pairs.version;
   }
-  /// Of site i, in ascending order of the first site.
+  /// Rows whose second site is i, in ascending order of their first site.
   std::span<const std::int32_t> of(std::int32_t i) const {
     return {row_.data() + begin_[i], row_.data() + begin_[i + 1]};
   }

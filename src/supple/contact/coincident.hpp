@@ -1,4 +1,4 @@
-/// Direction between two sites at the same point.
+/// A direction for two sites at the same point.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace supple {
 
-/// Unit vector for sites i and j whose centres coincide: arbitrary, but the same at every call.
+/// Unit vector from site i to site j where their centres coincide: arbitrary, but the same at every call.
 template <int Dim = 2>
 Vec<Dim> arbitrary_direction(std::int32_t i, std::int32_t j) {
   RandomStream draw(0, Purpose::coincident_normal, stream_index(i, j));

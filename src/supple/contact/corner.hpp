@@ -1,24 +1,24 @@
-/// Where a point lies about one edge of a ring and the corner where that edge starts.
+/// Where a point lies relative to one edge of a ring and the corner at the start of that edge.
 #pragma once
 #include "supple/core/vec.hpp"
 
 namespace supple {
 
-/// The place of a point p about the corner (before, start, end) of a counter-clockwise ring and the edge from
-/// start to end. The strip of an edge is what lies straight over it, on either side. S: a number, or several
-/// side by side; Flag: what their comparison gives.
+/// The place of a point p relative to the corner (before, start, end) of a counter-clockwise ring and the
+/// edge from start to end. The strip of an edge is the set of points whose foot on its line lies within the
+/// edge, on either side. S is a number, or several side by side; Flag is the type of a comparison of two S.
 template <class S, class Flag>
 struct CornerPlace {
   VecOf<S, 2> to, edge;     ///< p - start, end - start
   S along, height, square;  ///< to.edge; |edge| times the distance from its line, positive outside; edge.edge
-  Flag over_edge;           ///< in the strip of the edge
-  Flag over_last;           ///< before the end of the edge that ends at this corner
-  Flag over_start;          ///< past the start of the edge
-  Flag convex;              ///< the corner; a flat one is
+  Flag over_edge;           ///< p is in the strip of the edge
+  Flag over_last;           ///< p is before the end of the edge that ends at this corner
+  Flag over_start;          ///< p is past the start of the edge
+  Flag convex;              ///< the corner is convex or flat
 };
 
-/// Where p is about the end of an edge is decided by the same bits for this edge and for the next one, so
-/// that no rounding opens a gap between a strip and its corner.
+/// Whether p is beyond the end of an edge is computed from the same numbers here and at the next corner, so
+/// that rounding opens no gap between the strip of an edge and its corner.
 template <class S>
 [[gnu::always_inline]] inline auto place_at_corner(const VecOf<S, 2>& p, const VecOf<S, 2>& before,
                                                    const VecOf<S, 2>& start, const VecOf<S, 2>& end) {

@@ -8,9 +8,9 @@
 
 namespace supple {
 
-/// The contact of the discs of a row whatever their distance. Arms share the distance d in proportion to the
-/// radii (S1-3): the contact point lies between the centres, so that angular momentum is conserved at any
-/// compression or stretch.
+/// The contact of the two discs of a row, whatever their distance. The arms share the distance d in
+/// proportion to the radii (S1-3): both end at one point on the line of centres, so that angular momentum is
+/// conserved at any compression or stretch.
 template <int Dim>
 ContactRecord<Dim> disc_contact(const System<Dim>& system, std::int32_t row) {
   const State<Dim>& state = system.state;

@@ -21,8 +21,8 @@ class DiscContacts {
   const Repulsion& repulsion() const { return repulsion_; }
   void set_friction(double coefficient) { law_.friction = coefficient; }
 
-  /// Adds forces and torques of all contacts to `out`, fills its pair rows and trial history. History
-  /// advances by dt [time], over which the present velocities are taken to have acted; 0 leaves it as it is.
+  /// Adds forces and torques of all contacts to `out`, and fills its pair rows and trial history. Elongations
+  /// advance as if the present velocities had acted for dt [time]; 0 leaves them as they are.
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
 
  private:

@@ -8,21 +8,23 @@
 
 namespace supple {
 
-/// A site that may touch an edge of a body, or the corner where that edge starts.
+/// A site and an edge of another body that it may soon touch, or whose start, a corner, it may.
 struct EdgeCandidate {
   std::int32_t site;
   std::int32_t before, start, end;  ///< the corner at the start of the edge: vertices of the ring
-  std::int32_t image;               ///< of EdgeCandidates::shifts()
-  std::int32_t group;               ///< of EdgeCandidates::group_begin()
+  std::int32_t image;               ///< index into EdgeCandidates::shifts()
+  std::int32_t group;               ///< index into EdgeCandidates::group_begin()
   double scale;                     ///< factor on energy and force
 };
 
-/// Factor on energy and force of a vertex against a boundary: two bodies meet twice, a disc and a body once.
+/// Factor on energy and force of a site against a boundary. Vertices of two bodies act on each other's
+/// boundary: 1/2 [MacKeith 2025, eq. 9.5]. A disc acts on a boundary, and the vertices of that body not on
+/// the disc: 1.
 inline double edge_scale(const Ring& of_site) { return of_site.is_disc() ? 1.0 : 0.5; }
 
-/// Derived from the rows of a pair table made with Meeting::facets whenever they change. Candidates are in
-/// the order (site, body, image, edge), which is that of sums; those with the same site, body and image form
-/// a group. Bodies of one site have no edges, and their pairs keep their rows.
+/// All candidates, found from the rows of a pair table of Meeting::facets whenever these change. They are in
+/// the order (site, body, image, edge), in which forces are summed; those of the same site, body and image
+/// form a group. Pairs of discs, which have no edges, are in disc_rows().
 class EdgeCandidates {
  public:
   /// Finds the candidates again if the rows have changed. `range`: of the law, over where surfaces meet.
@@ -31,9 +33,10 @@ class EdgeCandidates {
   const std::vector<EdgeCandidate>& all() const { return all_; }
   /// Group g: candidates [group_begin()[g], group_begin()[g+1]).
   const std::vector<std::int32_t>& group_begin() const { return group_begin_; }
-  /// What to add to the site's position before it is compared with the edge, for the box as it is now.
+  /// For each image, the vector to add to the site's position before it is compared with the edge [length],
+  /// for the box as it is now.
   const std::vector<Vec2>& shifts(const Box<2>& box);
-  /// Cells by which that image shifts the site.
+  /// Cells by which this image shifts the site.
   Vec2 cells(std::int32_t image) const {
     const auto half = static_cast<std::int32_t>(images_.cells().size());
     return image < half ? images_.cells()[image] : -images_.cells()[image - half];

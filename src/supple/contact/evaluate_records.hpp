@@ -9,7 +9,8 @@
 
 namespace supple {
 
-/// What a law answers: force on the side of positive weight, and energy stored.
+/// What a law answers: the force on the side of positive weight [force], the energy stored [energy], and the
+/// new state.
 template <int Dim>
 struct ContactResponse {
   Vec<Dim> force{};
@@ -17,8 +18,8 @@ struct ContactResponse {
   ContactState state = ContactState::stick;
 };
 
-/// What a law sees: the record, the relative velocity there, what the contact remembers, and the time over
-/// which that velocity has acted since.
+/// What a law sees: the record, the velocity of the side of positive weight relative to the other
+/// [length/time], what the contact remembers, and the time `dt` over which this velocity has acted since.
 template <int Dim>
 struct ContactMotion {
   const ContactRecord<Dim>& record;
@@ -29,8 +30,8 @@ struct ContactMotion {
 };
 
 /// Adds forces, torques, energies and virial of the records to `out`, and fills its trial state and history;
-/// rows without a record open and forget. law(motion, new_history) returns a ContactResponse and changes
-/// nothing else.
+/// rows without a record open and forget. law(motion, new_history) returns a ContactResponse, fills
+/// `new_history` and changes nothing else.
 template <int Dim, class Law>
 void evaluate_records(const System<Dim>& system, const std::vector<ContactRecord<Dim>>& records,
                       const Law& law, double dt, Evaluation<Dim>& out) {

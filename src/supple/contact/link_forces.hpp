@@ -6,9 +6,10 @@
 
 namespace supple {
 
-/// Acts on System::links: a central spring about the rest distance, a dashpot, and a tangential bond with the
-/// rotations of the two boundaries, shared by the radii. The elongation follows the motion as that of
-/// TouchFriction does. The pairs have no other contact (LinkedTouches).
+/// The forces of System::links: a central spring about the rest distance, a central dashpot, and a tangential
+/// spring and dashpot without a limit. The tangential velocity is relative to the rotations of the two
+/// boundaries, shared in proportion to the radii (TouchFrame). Elongations follow the motion as in
+/// TouchFriction. Linked sites have no other contact (LinkedTouches).
 class LinkForces final : public Interaction {
  public:
   explicit LinkForces(const LinkLaw& law) : law_(law) {}

@@ -9,8 +9,9 @@
 
 namespace supple {
 
-/// A linked pair has no other contact: rough, of its two sites; smooth, of either one with the body of the
-/// other. Always with the image of the link alone. Made again at every evaluation, as it is short.
+/// The keys of contacts that links replace. Rough: the contact of the two linked sites. Smooth: the contacts
+/// of either site with the body of the other. Only contacts with the image of the link are among them. The
+/// list is short and made anew at every evaluation.
 class LinkedTouches {
  public:
   void update(const System<2>& system, Meeting meeting);
@@ -21,7 +22,7 @@ class LinkedTouches {
   std::vector<TouchKey> keys_;
 };
 
-/// The key of a contact about x_site - x_other less that many cells.
+/// The key of the contact about x_site - x_other - n, n the lattice vector of `cells`.
 inline TouchKey touch_key(std::int32_t site, TouchOn on, std::int32_t other, const Vec2& cells) {
   return {site, other, on, {static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1])}};
 }

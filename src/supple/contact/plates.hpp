@@ -6,8 +6,9 @@
 
 namespace supple {
 
-/// A free disc that overlaps a plate or wall is repelled, without friction, as by its mirror image: F(2 y, 2
-/// r), y its height over the plate. Adds to force, wall and (on request) energy.wall.
+/// A free disc that overlaps a plate or wall is repelled without friction, as by its mirror image: by the
+/// force F(d, d0) of `repulsion` with d = 2 y, d0 = 2 r and stiffness k, y the distance of its centre from
+/// the plate. Adds to `out.force`, `out.wall` and (with Detail::energies) energy.wall.
 void evaluate_plates(const System<2>& system, const Repulsion& repulsion, double k, Detail detail,
                      Evaluation<2>& out);
 

@@ -8,13 +8,14 @@
 
 namespace supple {
 
-/// Disc on disc, vertex on vertex, vertex on facet, site on wall: they differ only in how a record is filled.
-/// Weights c_a sum to zero, and c_a n is the gradient of the gap by site a: positive on the side that n
-/// points to. Spins enter with the arm from the centre of a site to the point of contact. From these alone
-/// follow
+/// Disc on disc, vertex on vertex, vertex on facet, site on wall: contacts differ only in how their record is
+/// filled. The weights c_a are positive on the side that n points to and sum to zero; c_a n is the gradient
+/// of the gap with respect to site a. A spin w_a enters with the arm from the centre of its site to the point
+/// of contact. From these follow
 ///     relative velocity  v = sum c_a (v_a + w_a x arm_a) - jump over the boundary,
 ///     forces             f_a = c_a F,  torques  T_a = arm_a x f_a,
-/// so that the power of the contact is F.v whatever the law: sum (f_a.v_a + T_a.w_a) = F.(v + jump).
+/// F being the force on the side of positive weight. The power of the contact is then that of F whatever the
+/// law: sum (f_a.v_a + T_a.w_a) = F.(v + jump).
 template <int Dim>
 struct ContactRecord {
   static constexpr int most_sites = Dim + 1;  ///< a vertex and a facet
@@ -24,20 +25,21 @@ struct ContactRecord {
   std::array<double, most_sites> weight{};
   std::array<Vec<Dim>, most_sites> arm{};  ///< [length]; zero where the site does not spin
   Vec<Dim> normal{};                       ///< unit vector toward the sites of positive weight
-  /// Sum c_a x_a over the nearest images [length]; torques balance where it is -sum c_a arm_a.
+  /// Sum c_a x_a over the images that meet [length]. Torques balance where it equals -sum c_a arm_a.
   Vec<Dim> branch{};
   double reach = 0;  ///< distance at which the surfaces meet [length]
   double gap = 0;    ///< distance less reach; negative: overlap [length]
-  /// Factor on the law's energy and force: -1 takes back a corner that two edges counted, 1/2 is the scale
-  /// of 9.5.
+  /// Factor on the law's energy and force: negative for a corner that takes back what two edges both counted;
+  /// with the 1/2 of [MacKeith 2025, eq. 9.5].
   double multiplicity = 1;
-  /// Records with the same number, one after the other, are one contact: only their sum acts, counts and
-  /// slides. -1: a contact by itself.
+  /// Records with the same number, one after the other, are one contact: their sum counts as one and has one
+  /// friction. -1: a contact by itself.
   std::int32_t touch = -1;
   std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
-  std::int32_t up = 0;    ///< cells between the two sides along the gradient
+  std::int32_t up = 0;    ///< `cells` along the gradient
   bool crosses = false;   ///< whether the contact is with a periodic image
-  /// Cells between the sites as they stand: to subtract from those of positive weight less the others.
+  /// Cells between the sites as they stand: subtract their lattice vector from the positions of positive
+  /// weight less those of negative weight.
   std::array<std::int32_t, Dim> cells{};
 
   void set_cells(const Vec<Dim>& n) {
@@ -67,7 +69,8 @@ Vec<Dim> relative_velocity(const ContactRecord<Dim>& record, const State<Dim>& s
   return v;
 }
 
-/// Adds the force F on the side of positive weight, and its reaction, to the sites of the record.
+/// Adds the force F on the side of positive weight, its reaction and their torques to the sites of the
+/// record.
 template <int Dim>
 void scatter(const ContactRecord<Dim>& record, const Vec<Dim>& force, std::vector<Vec<Dim>>& forces,
              std::vector<Angular<Dim>>& torques) {

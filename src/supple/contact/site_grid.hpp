@@ -1,4 +1,4 @@
-/// Sites sorted into cells, by classes of size: which sites may be near one of them.
+/// Sites sorted into grids of cells, to find those that may be near a given one.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,17 +7,20 @@
 
 namespace supple {
 
-/// One grid for each class of sizes, a factor of two in radius, as wide as the pairs of its own class: a site
-/// looks into each grid as far as it reaches there. So a few large sites cost the small ones nothing [Ogarko
-/// & Luding 2012]. Cells of a grid are a few for each site, however empty or long the box. Every periodic
-/// image within reach is looked at, at any strain, for positions anywhere.
+/// One grid for each class of sizes, a factor of two in radius, with cells as wide as pairs of its own class
+/// reach. A site looks into every grid as far as it may meet the sites there, so that a few large sites do
+/// not slow down the small ones [Ogarko & Luding 2012]. A grid has at most a few cells for each site, however
+/// empty or long the box. Every periodic image within reach is looked at, at any strain, wherever the sites
+/// are.
 template <int Dim>
 class SiteGrid {
  public:
-  /// Sites are near each other within the sum of their radii (as given here) and the skin.
+  /// Two sites are near each other if their distance is below the sum of their radii (as given here) and the
+  /// skin.
   SiteGrid(const System<Dim>& system, const std::vector<double>& radius, double skin);
 
-  /// Appends the sites j > i of other bodies that have an image near site i; in no order, some of them twice.
+  /// Appends the sites j > i of other bodies that have an image near site i, in no order and some of them
+  /// twice.
   void append_near(std::int32_t i, std::vector<std::int32_t>& near) const;
 
  private:

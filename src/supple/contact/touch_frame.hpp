@@ -10,12 +10,13 @@
 
 namespace supple {
 
-/// Two sides, one of positive and one of negative weights c_a, each adding to 1, and the rotation w of the
-/// boundary on either side. With b = sum c_a x_a (nearest images) and shares s_i + s_j = 1 of it,
+/// Two sides, with site weights c_a that add to 1 on one side and to -1 on the other, and rotations w_i, w_j
+/// of the boundaries there. With b = sum c_a x_a (of the images that meet) and shares s_i + s_j = 1, by
+/// radius,
 ///     v = sum c_a v_a - jump over the boundary - (s_i w_i + s_j w_j) x b
-/// is zero in every rigid motion, as sum c_a v_a = w x b there. A force G on the positive side acts as c_a G,
-/// and as the torques -s_i b x G, -s_j b x G on the sides, which balance the torque b x G of those: G . v
-/// (with the jump) is the power of all these forces, whatever G.
+/// is zero in every rigid motion, where sum c_a v_a = w x b. A force G on the positive side acts as the
+/// forces c_a G, and as the torques -s_i b x G and -s_j b x G on the two sides, which balance the torque b x
+/// G of the forces. Their power is G . (v + jump), whatever G.
 struct TouchFrame {
   struct SiteWeight {
     std::int32_t site;
@@ -24,17 +25,18 @@ struct TouchFrame {
   std::vector<SiteWeight> sites;
   Vec2 branch{};              ///< b [length]
   Vec2 normal{};              ///< toward the side of positive weight
-  Vec2 jump{};                ///< velocity of the image of the positive side relative to its original
-  BoundaryRotation rotation;  ///< s_i w_i + s_j w_j
+  Vec2 jump{};                ///< Box::velocity_jump of the cells subtracted from the positive side
+  BoundaryRotation rotation;  ///< s_i w_i + s_j w_j [1/time]
 
   void clear() {
     sites.clear();
     rotation.clear();
     branch = normal = jump = {};
   }
-  /// How much more than a plain contact of that reach the velocity v follows a site, at least 1: more where a
-  /// site is held between two parts of one boundary, whose pushes nearly cancel, so that their mean is far
-  /// outside of both. Once by the weights c_a and once by b times the rotations, which have them too.
+  /// How strongly v depends on the velocity of one site, relative to a plain contact with this reach
+  /// [length]; at least 1. It is large where a site is held between two parts of one boundary whose pushes
+  /// nearly cancel: the weights of the mean of both are then far above 1. They enter twice: as c_a, and in b
+  /// and the rotations.
   double leverage(double reach) const {
     double largest = 1;
     for (const SiteWeight& s : sites) {
@@ -44,18 +46,18 @@ struct TouchFrame {
     }
     return largest * std::max(1.0, norm(branch) / reach);
   }
-  /// sum c_a v_a - jump.
+  /// sum c_a v_a - jump [length/time].
   Vec2 separation_velocity(const State<2>& state) const {
     Vec2 v = -jump;
     for (const SiteWeight& s : sites) v += s.weight * state.velocity[s.site];
     return v;
   }
-  /// v as above, where the frame is of that instant.
+  /// The velocity v of TouchFrame [length/time]; the frame must be filled for this instant.
   Vec2 velocity(const Instant& at) const {
     return separation_velocity(at.state) - cross(rotation.rate(at), branch);
   }
-  /// Adds the force G on the positive side, its reaction and their torques, and their virial, which is sum
-  /// f x^T of all forces of a pair that is not across the boundary.
+  /// Adds the force G on the positive side, its reaction and their torques, and their virial: G b^T, and sum
+  /// f x^T of the forces that the torques act as.
   void scatter(const Vec2& g, const State<2>& state, Evaluation<2>& out) const {
     for (const SiteWeight& s : sites) out.force[s.site] += s.weight * g;
     out.virial.add_outer(1, g, branch);
