@@ -1,4 +1,5 @@
-/// A term of whole bodies: the volume that facets enclose, its energy, and the forces on the facets' sites.
+/// A term of whole bodies: an energy of the volume that facets enclose, and its forces on the sites of these
+/// facets.
 #pragma once
 #include <fmt/core.h>
 
@@ -7,7 +8,8 @@
 
 namespace supple {
 
-/// Term::energy(volume, param[b]) for each body b of the topology; bodies without facets take no part.
+/// Term::energy(volume, param[b]) for each body b of the topology; bodies without facets have none. Throws an
+/// input error where there is not one parameter set for each body.
 template <class Term, int Dim>
 class BodyBlock final : public TermBlock<Dim> {
  public:
@@ -32,7 +34,7 @@ class BodyBlock final : public TermBlock<Dim> {
       });
       if (detail == Detail::forces) return;
       out.energy.terms += energy.value;
-      // The volume changes by its trace: dv = v tr(strain).
+      // A small strain changes the volume by dv = v tr(strain).
       for (int d = 0; d < Dim; ++d) out.virial[d][d] -= energy.slope[0] * v.value;
     });
   }
@@ -63,7 +65,8 @@ class BodyBlock final : public TermBlock<Dim> {
       if (t.facet_begin[b] < t.facet_begin[b + 1]) body(static_cast<int>(b));
   }
 
-  /// Points of facet f relative to the body's first site, so that a body far away loses no digits.
+  /// Points of facet f relative to the first site of body b, so that a body far from the origin loses no
+  /// digits.
   template <class S = double>
   static void gather(const System<Dim>& system, int b, std::int32_t f, VecOf<S, Dim> (&x)[Dim]) {
     const Vec<Dim> origin = system.state.position[system.topology.begin[b]];
@@ -100,7 +103,7 @@ class BodyBlock final : public TermBlock<Dim> {
     }
   }
 
-  /// E'' (dv/dx) (dv/dx)^T over all pairs of the body's sites.
+  /// Adds E'' (dv/dx) (dv/dx)^T for all pairs of sites of the body; `stiffness` is E'' = d2E/dv2.
   static void add_outer_product(const System<Dim>& system, int b, double stiffness,
                                 HessianBlocks<Dim>& blocks) {
     const std::int32_t first = system.topology.begin[b], end = system.topology.begin[b + 1];
@@ -114,7 +117,7 @@ class BodyBlock final : public TermBlock<Dim> {
       }
   }
 
-  /// E' d2v/dx2, facet by facet.
+  /// Adds E' d2v/dx2, facet by facet; `slope` is E' = dE/dv.
   static void add_curvature(const System<Dim>& system, int b, double slope, HessianBlocks<Dim>& blocks) {
     constexpr int n = Dim * Dim;
     using First = Jet<double, n>;

@@ -17,8 +17,8 @@ struct Tether {
   double stiffness;  ///< [energy/length^2]
 };
 
-/// U = -sum m g.x over all sites, and the tethers. Positions are taken as they are: gravity is for directions
-/// that are not periodic.
+/// Gravity, U = -sum m g.x over all sites, and tethers. Positions are not wrapped: gravity makes sense along
+/// directions that are not periodic.
 template <int Dim>
 struct ExternalForces {
   Vec<Dim> gravity{};  ///< [length/time^2]
@@ -26,7 +26,8 @@ struct ExternalForces {
 
   bool empty() const { return gravity == Vec<Dim>{} && tethers.empty(); }
 
-  /// Adds forces and, with Detail::energies, energy.external. They are external to the sample: no virial.
+  /// Adds forces and, with Detail::energies, energy.external. The forces are external to the sample, so they
+  /// add nothing to the virial.
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const {
     double energy = 0;
     if (!(gravity == Vec<Dim>{}))

@@ -1,4 +1,4 @@
-/// All forces on a system: what is evaluated, in which order, and when the memory of contacts moves on.
+/// All forces on a system: in which order they are evaluated, and when contacts remember.
 #pragma once
 #include <memory>
 #include <optional>
@@ -15,10 +15,9 @@
 
 namespace supple {
 
-/// System -> neighbour list (rebuilt when stale) -> terms -> contacts -> interactions -> plates, walls,
-/// external -> Evaluation. Evaluating changes nothing but the rows of System::pairs; only commit() lets
-/// contacts remember. Discs with memory (the microgel model) have DiscContacts, bodies of many sites a
-/// BodyContacts.
+/// evaluate() brings the neighbour list up to date and then adds, in this order, terms, contacts,
+/// interactions, plates, walls and external forces. It changes nothing but the rows of System::pairs; only
+/// commit() lets contacts remember. Microgel discs have DiscContacts, bodies of many sites BodyContacts.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
@@ -47,7 +46,7 @@ class ForceField {
     if (detail == Detail::energies) out.virial += rigid_virial(system, out.force);
   }
 
-  /// Second derivatives of the energy. Not for contacts with memory, whose force has no energy.
+  /// Adds the second derivatives of the energy. Not for contacts with memory: their forces have no energy.
   void add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind = HessianKind::exact);
 
   /// The same without multiplying out what couples all sites of a body: blocks and products are its sum.
@@ -64,7 +63,7 @@ class ForceField {
     system.lag = 0;
   }
 
-  /// Adds forces that are evaluated behind the contacts, in this order.
+  /// Adds forces that are evaluated after the contacts, in the order of these calls.
   void add(std::shared_ptr<Interaction> interaction) { interactions_.push_back(std::move(interaction)); }
   const std::vector<std::shared_ptr<Interaction>>& interactions() const { return interactions_; }
 
@@ -76,7 +75,7 @@ class ForceField {
   ExternalForces<2>& external() { return external_; }
   DiscContacts& contacts() { return contacts_; }
   const DiscContacts& contacts() const { return contacts_; }
-  /// The contacts of bodies of many sites; null for discs with memory.
+  /// The contacts of bodies of many sites; null for microgel discs.
   BodyContacts* bodies() const { return bodies_.get(); }
   const std::shared_ptr<BodyContacts>& shared_bodies() const { return bodies_; }
   const NeighborList<2>& neighbors() const { return neighbors_; }

@@ -4,9 +4,9 @@
 
 namespace supple {
 
-/// Enclosed area, edge length, corner angle and line tension [MacKeith 2025, eq. 9.1] with the numbers of
-/// System::shape, read at each evaluation so that preferred shapes may flow. The terms of energy/ are the
-/// reference (shape_terms.hpp): equal to rounding.
+/// Energies of enclosed area, edge lengths, corner angles and line tension [MacKeith 2025, eq. 9.1] with the
+/// numbers of System::shape, which are read at each evaluation, as preferred shapes may flow. The terms of
+/// energy/ (shape_terms.hpp) give the same to rounding and are the reference.
 class PolygonShape final : public TermBlock<2> {
  public:
   std::string_view name() const override { return "polygon_shape"; }

@@ -9,8 +9,8 @@
 
 namespace supple::rings {
 
-/// Loops over a ring go in blocks of so many numbers, each of which becomes vector instructions without a
-/// remainder: they run on past the end of the ring, over numbers that nobody reads.
+/// Loops over a ring go in blocks of this many numbers, each of which becomes vector instructions without a
+/// remainder. The last block runs past the end of the ring, over numbers that are never used.
 inline constexpr int block = 8;
 constexpr int padded(int n) { return (n + block - 1) / block * block; }
 
@@ -22,20 +22,20 @@ template <class Body>
     for (int v = b; v < b + block; ++v) body(v);
 }
 
-/// Numbers that a ring has for each vertex, and the edge that leaves it.
+/// The numbers that a ring has for each vertex and the edge that leaves it, one row of numbers for each kind.
 enum class Row {
-  // The edge that leaves the vertex, and 1/length.
+  // The vector of the edge that leaves the vertex, and 1 over its length.
   edge_x,
   edge_y,
   per_length,
   bent,  ///< angle at the vertex beyond the rest angle
-  part,  ///< something to be summed
+  part,  ///< terms of a sum
   // Forces of the edge on the vertex where it starts and on the one where it ends.
   start_x,
   start_y,
   end_x,
   end_y,
-  // Copies, which only the last rings of all need.
+  // Copies of what is read, which only the last rings of a system need (place).
   rest_length,
   rest_angle,
   position,
@@ -43,12 +43,13 @@ enum class Row {
   count
 };
 
-/// One ring. Row [-1] is that of the last vertex again and [n] of the first one, so that no loop has to close
-/// the ring; [-1] is the last place of the row before, which is written earlier or in the same loop.
+/// One ring. In every row the place [-1] repeats the last vertex and [n] the first one, so that no loop has
+/// to close the ring. Place [-1] is also the last place of the row before: that row is written earlier, or in
+/// the same loop.
 struct Ring {
   int body, n, stride;
   double* numbers = nullptr;
-  const Vec2* position = nullptr;  ///< these may be read to the end of the block
+  const Vec2* position = nullptr;  ///< this and the next two may be read to the end of the block
   const double *rest_length = nullptr, *rest_angle = nullptr;
   double pressure = 0;
   bool sharp = false;  ///< some corner is beyond least_blunt_cosine
@@ -58,14 +59,15 @@ struct Ring {
   int size() const { return static_cast<int>(Row::count) * stride; }
 };
 
-/// Some rings that go through each pass together: what one pass stores has left the processor's store buffer
-/// when the next one reads it in other pieces. With one small ring at a time that wait is half of all time.
+/// Rings that go through each pass together. Numbers that one pass stores must have left the store buffer of
+/// the processor before the next pass reads them in other pieces; with one small ring at a time this wait is
+/// half of all time.
 struct Group {
   static constexpr int sites = 160;
   std::vector<Ring> rings;
   std::vector<double> numbers;
 
-  /// Gives the rings their rows, aligned, and what they read.
+  /// Gives each ring memory for its rows, aligned, and pointers to what it reads.
   void place(const System<2>& system) {
     std::size_t size = 2 * block;
     for (const Ring& r : rings) size += static_cast<std::size_t>(r.size());
@@ -81,7 +83,8 @@ struct Group {
   }
 
  private:
-  /// Where less than a block is left behind a ring, it reads copies.
+  /// Sets what a ring reads: the arrays of the system, or copies where they end less than a block after the
+  /// ring.
   static void point(const System<2>& system, Ring& r) {
     const Topology<2>& t = system.topology;
     const auto reads = [&](const auto& values, std::int32_t begin, auto* copy) -> decltype(values.data()) {
@@ -95,7 +98,7 @@ struct Group {
   }
 };
 
-/// A sum over rings in lanes, for the processor to overlap.
+/// A sum of many numbers in eight lanes, whose additions the processor can overlap.
 struct LaneSum {
   typedef double Lanes __attribute__((vector_size(block * sizeof(double))));
   Lanes lanes{};

@@ -4,7 +4,7 @@
 
 namespace supple {
 
-/// The terms that System::shape stands for, with its present stiffnesses and rest values.
+/// The terms of energy/ with the stiffnesses and rest values that System::shape has now.
 template <int Dim>
 TermSet<Dim> shape_terms(const System<Dim>& system);
 

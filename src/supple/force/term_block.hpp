@@ -1,4 +1,4 @@
-/// One kind of term on many stencils: gather its points, evaluate, scatter forces, form the virial.
+/// One kind of term on many stencils: gathers points, evaluates the term, adds forces and the virial.
 #pragma once
 #include <fmt/core.h>
 
@@ -17,7 +17,7 @@
 
 namespace supple {
 
-/// What TermSet knows of a block, whatever its term.
+/// One kind of term on all of its sites, as TermSet sees it.
 template <int Dim>
 class TermBlock {
  public:
@@ -26,9 +26,9 @@ class TermBlock {
   virtual double energy(const System<Dim>& system) const = 0;
   /// Adds forces and, with Detail::energies, energy.terms and the virial.
   virtual void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const = 0;
-  /// Adds second derivatives.
+  /// Adds the second derivatives of the energy.
   virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const = 0;
-  /// The same without what HessianKind::sparse may leave out.
+  /// The same without what HessianKind::sparse leaves out.
   virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
     add_hessian(system, blocks);
   }
@@ -74,8 +74,8 @@ class StencilBlock final : public TermBlock<Dim> {
     const State<Dim>& state = system.state;
     check_sites(state);
     const bool serial = runs_in_place(size());
-    // Threads may not add to the same site: they fill their own slots, and each site then adds its slots in
-    // order.
+    // Threads must not add to the same site: each fills the slots of its stencils, and each site then adds
+    // its slots in order.
     std::vector<Vec<Dim>> slots(serial ? 0 : stencils_.size() * Term::arity);
     const Sum total = sum_chunks<Sum>(size(), [&](std::int64_t begin, std::int64_t end) {
       Sum sum;
@@ -141,7 +141,7 @@ class StencilBlock final : public TermBlock<Dim> {
                         fmt::format("there are {} sites", state.size()), "add a term after its sites");
   }
 
-  /// Lists the slots (stencil * arity + place) of each site, ascending.
+  /// Lists the slots (stencil * arity + place in the stencil) of each site, ascending.
   void index_slots() {
     std::int32_t last = -1;
     for (const Stencil& stencil : stencils_)

@@ -10,12 +10,12 @@
 
 namespace supple {
 
-/// The terms of a system. They see positions as they are: bodies stay unwrapped.
+/// The terms of a system. They take positions as they are, so bodies must be unwrapped.
 template <int Dim>
 class TermSet {
  public:
   /// Adds a term on these stencils (Term::arity sites each), with one parameter set for all of them or one
-  /// for each. Input error if these numbers do not match or a site is negative.
+  /// for each. Input error where the numbers of stencils and sets do not match or a site is negative.
   template <ConservativeTerm<Dim> Term>
   void add(Term, std::vector<std::array<std::int32_t, Term::arity>> stencils,
            std::vector<typename Term::Param> params) {
@@ -27,8 +27,8 @@ class TermSet {
 
   bool empty() const { return blocks_.empty(); }
 
-  /// Adds forces; with Detail::energies also energy.terms and the virial. Same bits for any number of
-  /// threads.
+  /// Adds forces; with Detail::energies also energy.terms and the virial. The bits are the same for any
+  /// number of threads.
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const {
     for (const auto& block : blocks_) block->evaluate(system, detail, out);
   }
