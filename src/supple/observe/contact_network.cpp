@@ -11,7 +11,7 @@ namespace supple {
 
 namespace {
 
-/// The site of the far side, that of negative weight, which bears most of these records.
+/// The site of negative weight that bears the largest share of a record of the touch.
 std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch,
                        const BodyLaw& law) {
   std::int32_t site = -1;
@@ -28,8 +28,8 @@ std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyT
   return site;
 }
 
-/// From the far side as it is stored to the copy that the record is with: its branch is the sum of weight
-/// times position over the nearest images.
+/// Displacement from the sites of negative weight as they are stored to the copy that the record is with. The
+/// branch of the record is the sum of weight times position over the images that meet.
 Vec2 shift_of(const System<2>& system, const ContactRecord<2>& record) {
   Vec2 stored{};
   for (int k = 0; k < record.sites; ++k) stored += record.weight[k] * system.state.position[record.site[k]];

@@ -10,12 +10,13 @@
 
 namespace supple {
 
-/// All that acts between one site and one other body (sum_touches). Rough contacts and discs: one other site.
+/// One contact: all that acts between a site and another body (sum_touches); of rough contacts and discs,
+/// between two sites.
 struct SiteContact {
   std::int32_t site, other;  ///< the site that acts, and the site of the other body that bears most of it
   std::int32_t body, other_body;
   Vec2 force;  ///< on `site`, along a line through it
-  /// The copy of the other body that is met is displaced by this from its unwrapped sites.
+  /// Displacement from the unwrapped sites of the other body to the copy that is met [length].
   Vec2 shift{};
   bool pulls = false;  ///< the site toward the other body
   bool holds = false;  ///< both ways: it takes energy to open it too
@@ -24,17 +25,17 @@ struct SiteContact {
   double normal_force() const { return pulls ? -norm(force) : norm(force); }
 };
 
-/// The contacts of these records under their law, in the order in which they act.
+/// The contacts that these records make under `law`, in the order of the records.
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                        const BodyLaw& law);
 
-/// Mean depth of these contacts: how much nearer a site is to the other body than where they meet, over that
-/// distance; 0 without any.
+/// Mean relative overlap of the contacts of these records: (reach - distance)/reach, of a contact of several
+/// records the largest. 0 without contacts.
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                     const BodyLaw& law);
 
-/// The bodies that touch each other, or a wall. Two bodies that meet through two images, as in a very small
-/// cell, are two pairs: each of them has two neighbours.
+/// Which bodies touch each other or a wall. Two bodies that touch through two images, as in a very small
+/// cell, are two pairs.
 struct ContactNetwork {
   struct Pair {
     std::int32_t first, second;  ///< bodies, first <= second
@@ -42,45 +43,47 @@ struct ContactNetwork {
     std::int32_t site_contacts;
   };
   std::vector<Pair> pairs;          ///< ascending (first, second, across, up)
-  std::vector<std::int32_t> walls;  ///< that each body touches
+  std::vector<std::int32_t> walls;  ///< number of walls that each body touches
 
   int bodies() const { return static_cast<int>(walls.size()); }
   /// Bodies and walls that each body touches.
   std::vector<std::int32_t> contacts_of_bodies() const;
 };
 
-/// `wall` are the forces of walls (Evaluation::wall).
+/// The network of these contacts; `wall` holds the forces of walls (Evaluation::wall).
 ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
                                std::span<const SiteForce<2>> wall = {});
 
 /// Contact numbers of the bodies that are not left out.
 struct ContactNumbers {
   int bodies = 0, pairs = 0, site_contacts = 0, walls = 0;
-  /// Contacts of a body in the mean, 2 pairs / bodies; a wall counts once.
+  /// Mean number of bodies and walls that a body touches, (2 pairs + walls) / bodies.
   double mean() const { return bodies > 0 ? (2.0 * pairs + walls) / bodies : 0; }
 };
 
-/// `left_out`: 1 for bodies that do not count, with their contacts (find_rattlers); empty: all count.
+/// `left_out` is 1 for each body that does not count, nor do its contacts (find_rattlers); empty: all count.
 ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std::uint8_t> left_out = {});
 
-/// Degrees of freedom against constraints [Maxwell 1864; MacKeith 2025, section 9.4.3]. A packing under
-/// compression that is just rigid has one constraint more than the motions left: one state of self-stress.
+/// Degrees of freedom and constraints [Maxwell 1864; MacKeith 2025, section 9.4.3]. A compressed packing that
+/// is just rigid (isostatic) has one constraint more than degrees of freedom that are not translations: one
+/// state of self-stress.
 struct ConstraintCount {
   int freedoms = 0;      ///< of the bodies that count
-  int translations = 0;  ///< of the whole packing that cost nothing: one for each periodic direction
-  int shape = 0;         ///< independent constraints by the shape energy
+  int translations = 0;  ///< of the whole packing, free of energy: one for each periodic direction
+  int shape = 0;         ///< independent constraints that the shape energy makes
   int contacts = 0;      ///< site contacts, and sites on walls
 
-  /// Contacts of an isostatic packing: 2N - 1 for smooth discs in a periodic cell, 3N - 1 for shells.
+  /// Contacts of an isostatic packing: in a periodic cell 2N - 1 for N smooth discs, 3N - 1 for N shells.
   int needed() const { return freedoms - translations - shape + 1; }
-  /// Positive: more than enough. Floppy packings are short of N(n - 1) - 1 - contacts, their number of
-  /// quartic modes.
+  /// Contacts beyond isostatic. Packings of N floppy polygons of n sites lack N(n - 1) - 1 - contacts, which
+  /// is their number of quartic modes.
   int excess() const { return contacts - needed(); }
 };
 
-/// Counts the bodies that are not left out: 3 freedoms of a rigid one, 2 of each free site of the others. The
-/// shape energy of a polygon of n sites fixes as many of its 2n - 3 deformations as it has stiff terms (1 for
-/// its area, n for its edges), and all of them where corners are stiff or edges have line tension.
+/// Counts over the bodies that are not left out. A rigid body has 3 degrees of freedom, each free site of
+/// another one has 2. The shape energy of a polygon of n sites constrains as many of its 2n - 3 deformations
+/// as it has stiff terms (1 for its area, n for its edges), and all of them where corners are stiff or edges
+/// have line tension.
 ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
                                   std::span<const std::uint8_t> left_out = {},
                                   std::span<const SiteForce<2>> wall = {});

@@ -1,4 +1,4 @@
-/// What both ways of demodulating share: series, phases, and what cycles say of their mean.
+/// What both ways of demodulating share: series, phases, and the error of a mean over cycles.
 #pragma once
 #include <cmath>
 #include <numbers>
@@ -18,13 +18,15 @@ inline double phase_of(const Protocol& p, double time) {
   return 2 * std::numbers::pi * (time * p.frequency - p.pre);
 }
 
-/// Periods from the start of shear to the first that is measured: the first is transient.
+/// Periods of shear that are not measured: the first one, which is transient, where there are at least two.
 inline double first_measured(const Protocol& p) { return p.periods >= 2 ? 1 : 0; }
 
-/// Error and change per cycle from the values of the cycles; the value is for the caller to set.
+/// Error and change per cycle of a modulus from its values in the cycles (docs/theory/microgel.md,
+/// Demodulation). Does not set `value`.
 Modulus modulus_of_cycles(const std::vector<double>& cycles);
 
-/// The package's sums. Sets all but the values of the moduli.
+/// Demodulates as the published package does (DriftCorrection::published). Sets all but the values of the
+/// moduli.
 Demodulation project_as_published(Series series, const Protocol& p);
 
 inline Error too_few_samples() {

@@ -6,22 +6,23 @@
 
 namespace supple {
 
-/// The external stress (S1-16) depends on where the cell is cut: when a disc leaves through one side and
+/// The external stress (S1-16) depends on where the cell is cut. When a disc leaves through one side and
 /// enters at the other, its contacts change between internal and external, and the published series jumps
-/// although no force does. At such a step the stress is evaluated twice with the same forces, for the cut
-/// before and the cut after the disc crossed, and the difference is subtracted from there on. The series is
-/// then as smooth as the forces, but its level is that of the first cut: it drifts as discs migrate, and a
-/// disc that comes back brings its jump of that instant.
+/// although no force does. At such a step the stress is evaluated twice with the same forces, with the disc
+/// before and after the crossing, and the difference is subtracted from there on. The series is then as
+/// smooth as the forces. Its level depends on the first cut and drifts as discs migrate, because a disc that
+/// comes back later makes another jump than the one it made when it left.
 class JumpCorrection {
  public:
-  /// Goes on from a series from which jumps of this sum were removed already.
+  /// `removed`: the sum of the jumps that were already taken out of the series that this one continues.
   explicit JumpCorrection(double removed = 0) : start_(removed), removed_(removed) {}
   /// External shear stress without the jumps so far, in the unit of `tensors` (`unit` as in stress_tensors).
-  /// Call it at every step: a disc must not move by half a cell between two calls.
+  /// To be called at every step: no disc may move by half a cell between two calls.
   double corrected(const System<2>& system, const Evaluation<2>& evaluation, const StressTensors& tensors,
                    double unit = 1);
 
-  /// Sum of all jumps so far, and how far it has been from where this series began.
+  /// Sum of all jumps so far, and the largest distance of that sum from its value at the begin of this
+  /// series.
   double removed() const { return removed_; }
   double most_removed() const { return most_removed_; }
 

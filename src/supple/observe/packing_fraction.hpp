@@ -7,31 +7,33 @@
 
 namespace supple {
 
-/// Covered part of a cell. In a direction without periods, what reaches beyond the cell counts too.
+/// Covered part of a cell. Along a direction that is not periodic, what reaches beyond the cell counts too.
 struct PackingFraction {
   double total = 0;  ///< covered area / area of the cell
-  /// Of each body [length^2]; what n bodies cover goes to each of them by 1/n. Adds to total.
+  /// Covered area of each body [length^2]: what n bodies cover together counts 1/n for each. The sum is total
+  /// times the area of the cell.
   std::vector<double> area;
 };
 
-/// The exact fraction: the outlines, cut where they cross, integrated by Green's theorem. It has no limits of
-/// overlap, size or shape, except that rings must not cross themselves and that no two bodies may lie in the
-/// very same place. Throws as body_shapes does.
+/// The exact fraction, by Green's theorem on the outlines, cut where they cross. Overlaps, sizes and shapes
+/// may be any, except that rings must not cross themselves and no two bodies may coincide. Throws as
+/// body_shapes does.
 PackingFraction packing_fraction(const System<2>& system, Outline outline);
 
-/// The published sum for rough particles, polygons + vertices - sectors - pairs [MacKeith 2025,
-/// eq. 9.18-9.22], every part as a fraction of the cell.
+/// The published sum for rough particles, total = polygons + vertices - sectors - pairs [MacKeith 2025, eq.
+/// 9.18-9.22], every part as a fraction of the cell.
 struct RoughSum {
   double total = 0, polygons = 0, vertices = 0, sectors = 0, pairs = 0;
-  /// Of each body [length^2], bodies parted on the line through the crossings of circles (9.21). Adds to
-  /// total.
+  /// Covered area of each body [length^2], with overlaps parted along the line through the crossings of the
+  /// circles (9.21). The sum is total times the area of the cell.
   std::vector<double> area;
-  /// Sites whose disc takes part in an overlap that the sum may count wrongly; where 0, the sum is exact. It
-  /// cannot see a disc that meets another body's polygon, three discs with a point in common that are not of
-  /// one ring, and in a ring that is not convex (or of unequal radii) a disc that meets other than its own
-  /// two edges and neighbours; in a convex ring of equal radii, that matters only where the disc reaches
-  /// across an edge away from its ends. The published condition, 0.1 < edge/diameter < 1, is neither needed
-  /// nor enough; longer edges have no lens.
+  /// Number of sites whose disc takes part in an overlap that the sum may count wrongly; where it is 0 the
+  /// sum is exact. The sum is blind to three overlaps: of a disc with the polygon of another body; of three
+  /// discs that are not all of one ring; and, in a ring that is not convex or of unequal radii, of a disc
+  /// with more of its ring than its two edges and neighbours. In a convex ring of equal radii the last one
+  /// matters only where a disc reaches across an edge away from the ends of that edge. The published
+  /// condition, 0.1 < edge/diameter < 1, is neither necessary nor sufficient; above 1 neighbours on a ring do
+  /// not overlap.
   int doubts = 0;
 };
 RoughSum rough_sum(const System<2>& system);
@@ -42,8 +44,8 @@ struct MonteCarloFraction {
   std::int64_t points = 0;
 };
 
-/// By the definition of the outline alone, to check the others. The same for any number of threads. Throws as
-/// body_shapes does, and on points < 1.
+/// The fraction by the definition of Outline alone, a check of the other two. The result is the same for any
+/// number of threads. Throws as body_shapes does, and an input error for points < 1.
 MonteCarloFraction monte_carlo_fraction(const System<2>& system, Outline outline, std::int64_t points,
                                         std::uint64_t seed);
 

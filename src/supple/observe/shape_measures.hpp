@@ -7,7 +7,8 @@
 
 namespace supple {
 
-/// Of each body. A polygon is that of its sites, without the discs at them; a body of one site is its disc.
+/// Measures of each body: of the polygon of its sites, without the discs there; of a body of one site, of its
+/// disc.
 struct ShapeMeasures {
   std::vector<double> area, perimeter;  ///< [length^2], [length]
   std::vector<double>
@@ -17,7 +18,7 @@ struct ShapeMeasures {
 
 ShapeMeasures measure_shapes(const System<2>& system);
 
-/// Over the polygons: discs have none. Nothing where there are none.
+/// Mean shape parameter of the polygons, as discs have none. Nothing where there is no polygon.
 std::optional<double> mean_shape_parameter(const ShapeMeasures& shapes);
 
 }  // namespace supple

@@ -1,5 +1,5 @@
-/// Whether particles are where particles can be: none in another one, no boundary across itself or another
-/// one.
+/// Whether a state can be one of real particles: none inside another one, no boundary across itself or
+/// another one.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,28 +9,29 @@
 
 namespace supple {
 
-/// What is wrong with a state, in numbers of bodies. A body may be wrong in several ways.
+/// What is wrong with a state, in numbers of bodies. One body may count in several of them.
 struct Soundness {
-  int turned_over = 0;    ///< whose ring runs clockwise, or encloses nothing
-  int self_crossing = 0;  ///< whose boundary crosses itself
-  int inside = 0;         ///< with a site inside another body, or discs that lie in a larger one
-  int crossing = 0;       ///< whose boundary crosses that of another one
-  int open = 0;           ///< rough: with an edge so long that the smallest vertex passes between its ends
-  int not_finite = 0;     ///< with a position that is no number
+  int turned_over = 0;    ///< bodies whose ring runs clockwise, or encloses nothing
+  int self_crossing = 0;  ///< bodies whose boundary crosses itself
+  int inside = 0;         ///< bodies with a site inside another one, and discs that lie in a larger one
+  int crossing = 0;       ///< bodies whose boundary crosses that of another one
+  int open = 0;  ///< rough: bodies with an edge so long that the smallest vertex passes between its ends
+  int not_finite = 0;  ///< bodies with a position that is not finite
   double longest_edge =
       0;  ///< rough: over the distance of its ends at which their discs touch, 1 where they just do
-  std::vector<std::uint8_t> unsound;  ///< of each body: 1 if one of these is so
+  std::vector<std::uint8_t> unsound;  ///< of each body: 1 if anything is wrong with it
 
-  int bodies() const;  ///< that are unsound
+  int bodies() const;  ///< number of unsound bodies
   bool sound() const { return bodies() == 0; }
-  /// Whether each ring encloses an area, so that packing fractions and pressures per area mean something.
+  /// Whether each ring encloses an area; else packing fractions, and pressures, which are per area, mean
+  /// nothing.
   bool has_areas() const { return turned_over == 0 && self_crossing == 0 && not_finite == 0; }
-  /// "2 particles have vertices inside another one, 1 crosses itself".
+  /// All of it in words: "2 particles have vertices inside another one, 1 crosses itself".
   std::string what() const;
 };
 
-/// Looks at all bodies, with all of their images. Costs two or three force evaluations for a few bodies and
-/// some ten for hundreds: bodies are found by their bounds, edges by theirs.
+/// Looks at all bodies and all of their images. It takes as long as two or three force evaluations for a few
+/// bodies, and as some ten for hundreds.
 Soundness look_at(const System<2>& system, Outline outline);
 
 }  // namespace supple

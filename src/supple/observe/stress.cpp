@@ -5,8 +5,8 @@
 namespace supple {
 namespace {
 
-/// Sums over contacts of F l^T, and of the torques T_i + T_j = F_t d (S1-3). With F = -P n + F_t t and l = -d
-/// n,
+/// Sums over contacts of F l^T, and of the torques T_i + T_j = F_t d (S1-3). On the first disc F = -P n + F_t
+/// t and l = -d n, so that
 ///     F l^T = d P n n^T - d F_t t n^T,
 /// where n n^T is symmetric to the last bit.
 struct ContactSums {

@@ -17,33 +17,35 @@ struct StressTensors {
   Mat2 otsuki;  ///< -(1/A) sum p p^T / m, momenta relative to the flow [Otsuki & Hayakawa 2017, eq. 15]
   Mat2 tangential_torque;  ///< (1/A) sum [[0, -T/2], [T/2, 0]] over all torques, also on plate discs (S1-22)
   Mat2 internal_torque;    ///< the same over torques from internal contacts (S1-24)
-  Mat2 centrifugal;        ///< -(1/A) sum K 1, K the rotational energy of a disc of the sample (S1-21)
+  Mat2 centrifugal;        ///< -(1/A) sum K 1, K = I w^2/2 of each disc of the sample (S1-21)
   Mat2 overall;            ///< love_weber + internal_torque + centrifugal: symmetric (S1-24)
 
   /// Love-Weber with the contacts across the period along the flow counted as internal: unlike love_weber it
   /// does not jump when a disc crosses that period.
   Mat2 love_weber_periodic;
-  /// (1/A) sum F l^T over every contact, l to the nearest image. It does not depend on where the cell is cut.
-  /// Plate discs count as matter of the cell like all others; what drives the plates and kinetic terms are
-  /// not in it.
+  /// (1/A) sum F l^T over every contact, l from the nearest image. It does not depend on where the cell is
+  /// cut. Plate discs count as matter of the cell like all others; the forces that drive the plates and
+  /// kinetic terms are not in it.
   Mat2 virial;
 
-  /// Shear stress that plates exert on the sample: half the difference of the forces of the upper and the
-  /// lower plate along the flow over the width of the cell. It does not depend on where the cell is cut: at
-  /// rest it is the stress on every section along the flow. A contact belongs to the plate on whose side of
-  /// the cell its free disc is.
+  /// Shear stress that the plates exert on the sample: half the difference of the forces along the flow of
+  /// the upper and the lower plate on the free discs, over the width of the cell. It does not depend on where
+  /// the cell is cut; at rest it is the stress on every section along the flow. A contact counts for the
+  /// plate on whose side of the cell its free disc is.
   double plates = 0;
 
-  /// Elementary forces that the published package registers as internal and as external: central elastic,
-  /// central viscous, and two visits of the tangential force, on each free disc of a contact.
+  /// Numbers of elementary forces that the published package registers as internal and as external. Each
+  /// contact has four on each of its free discs: central elastic, central viscous, and two halves of the
+  /// tangential force.
   int pair_register = 0, external_register = 0;
 
-  /// Mean normal stress of the sample.
+  /// Mean normal stress of the sample, of the overall tensor.
   double pressure() const { return 0.5 * (overall[0][0] + overall[1][1]); }
   /// Shear stresses tau = -sigma_xy (S1-25).
   double shear_internal() const { return -overall[0][1]; }
   double shear_external() const { return -external[0][1]; }
-  /// Of the symmetric part, which is what the couples of S1-22 leave of a Love-Weber tensor.
+  /// -sigma_xy of the symmetric part. With the torques of S1-22 a Love-Weber tensor of all contacts is
+  /// symmetric, and this part is what remains.
   double shear_periodic() const { return -0.5 * (love_weber_periodic[0][1] + love_weber_periodic[1][0]); }
   double shear_virial() const { return -0.5 * (virial[0][1] + virial[1][0]); }
 };

@@ -16,29 +16,30 @@ inline double synchronised_spin(const System<2>& system, const Evaluation<2>& ev
   return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
 }
 
-/// linear: sum m v; angular: sum m (x v_y - y v_x) + I w about the corner of the cell. All sites.
+/// Momenta of all sites: linear, sum m v; angular, sum [m (x v_y - y v_x) + I w] about the corner of the
+/// cell.
 struct Momenta {
   Vec2 linear{};
   double angular = 0;
 };
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// Kinetic energies of the free sites: of translation, of translation relative to the affine flow, and of
-/// spin [energy]; plate discs are moved from outside, but spin.
+/// Kinetic energies [energy]: of the translation of free sites, of their translation relative to the affine
+/// flow, and of all spins (plate discs are moved from outside, but spin freely).
 struct KineticEnergy {
   double translation = 0, peculiar = 0, spin = 0;
   double total() const { return translation + spin; }
 };
 KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// Active pairs by state; links count whether or not their discs touch.
+/// Numbers of pairs by state; links count whether or not their discs touch.
 struct ContactCounts {
   int stick = 0, slip = 0, links = 0;
   int total() const { return stick + slip + links; }
 };
 ContactCounts contact_counts(const Evaluation<2>& evaluation);
 
-/// Mean number of contacts and links of a site.
+/// Mean number of contacts and links of a site, two for each pair.
 double coordination(const System<2>& system, const Evaluation<2>& evaluation);
 
 /// Area of all discs over the area of the cell; overlaps count twice.

@@ -1,4 +1,4 @@
-/// What the walls of a box bear.
+/// Forces between the walls of a box and the particles.
 #pragma once
 #include <span>
 
@@ -7,14 +7,14 @@
 
 namespace supple {
 
-/// Pushes of the four walls on the particles, each at least 0, and the friction of the floor on them along
-/// the flow [force].
+/// Pushes of the four walls on the particles, each at least 0, and `drag`, the friction of the floor on them
+/// along the flow [force].
 struct WallForces {
   double left = 0, right = 0, floor = 0, lid = 0;
   double drag = 0;
 };
 
-/// Sums Evaluation::wall. Side walls and lid have no friction, so that a force along the gradient is that of
+/// Sums Evaluation::wall. Side walls have no friction, so that a force with a part along the gradient is of
 /// floor or lid.
 WallForces sum_wall_forces(std::span<const SiteForce<2>> wall);
 
