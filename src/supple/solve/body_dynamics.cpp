@@ -15,8 +15,8 @@ namespace supple {
 
 namespace {
 
-// Sites of rigid bodies are kicked and moved like all others, for a loop without exceptions: place_sites
-// comes last.
+// Sites of rigid bodies are kicked and moved like all others, so that the loop has no branches; place_sites()
+// puts them right at the end.
 
 void kick(System<2>& system, const std::vector<Vec2>& force, double time) {
   State<2>& s = system.state;

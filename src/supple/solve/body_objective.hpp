@@ -6,20 +6,21 @@
 
 namespace supple {
 
-/// When a packing is in equilibrium: the largest net force on a degree of freedom is below relative * (mean
-/// contact force), or below least [force], which serves where nothing touches; never less than what the last
-/// digits of the positions make.
+/// When a packing counts as in equilibrium: the largest net force on a site, or on a rigid body along one of
+/// its numbers (BodyDegrees), is below the largest of three: relative * (mean contact force); least [force],
+/// for packings in which nothing touches; and the force that a change in the last digit of the positions
+/// makes.
 struct ForceTolerance {
   double relative = 1e-6, least = 1e-13;
 };
 
-/// U of (System, ForceField) over the free sites and rigid bodies of the system, in a cell that stays as it
-/// is.
+/// The energy of a system under a force field as a function of its free sites and rigid bodies (BodyDegrees),
+/// in a cell that stays as it is. Evaluating it moves the system.
 class BodyObjective final : public Objective {
  public:
   BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance);
 
-  /// The present state as numbers.
+  /// The numbers of the present state.
   std::vector<double> coordinates() const;
 
   int size() const override { return degrees_.size(); }
@@ -33,10 +34,10 @@ class BodyObjective final : public Objective {
   void preconditioner(std::span<const double> x, SparseMatrix& lower) override {
     assemble(x, HessianKind::sparse, lower);
   }
-  /// Largest net force on a site, or on a rigid body along one of its numbers.
+  /// Largest net force on a site, or on a rigid body along one of its numbers [force].
   double residual(std::span<const double> x, std::span<const double> slope) override;
   const BodyDegrees& degrees() const { return degrees_; }
-  /// The last one, with energies.
+  /// The last evaluation; with energies, if it was by evaluate().
   const Evaluation<2>& evaluation() const { return out_; }
   double tolerance() const override { return tolerance_now_; }
   double largest_move() const override { return largest_move_; }
@@ -51,18 +52,18 @@ class BodyObjective final : public Objective {
   BodyDegrees degrees_;
   ForceTolerance tolerance_;
   Evaluation<2> out_;
-  HessianBlocks<2> blocks_;  ///< these two kept for their memory
+  HessianBlocks<2> blocks_;  ///< this and `entries_` are kept for their memory
   std::vector<MatrixEntry> entries_;
   double largest_move_, tolerance_now_;
-  double stiffness_;  ///< of the stiffest vertex, roughly
+  double stiffness_;  ///< of the stiffest vertex, roughly [energy/length^2]
   int until_refresh_ = 0;
 };
 
-/// Largest net force of these forces on the sites: on a free site, or on a rigid body along one of its
+/// Largest net force, given the forces on all sites: on a free site, or on a rigid body along one of its
 /// numbers.
 double largest_net_force(const System<2>& system, const std::vector<Vec2>& force);
 
-/// Mean magnitude of the forces of the contacts, 0 where nothing touches.
+/// Mean magnitude of the forces of contacts [force]; 0 where nothing touches.
 double mean_contact_force(const System<2>& system, BodyContacts& contacts);
 
 }  // namespace supple

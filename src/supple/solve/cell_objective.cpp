@@ -41,7 +41,8 @@ Vec2 mean(const double* pairs, int count) {
 
 }  // namespace
 
-/// The cell of these numbers, and the bodies' numbers in it: centres c -> growth (c + shear c_y e_x).
+/// Sets the cell of these numbers, and the numbers of the bodies in it: their centres c go to growth (c +
+/// shear c_y e_x).
 void CellObjective::strain_cell(std::span<const double> x) {
   std::size_t next = static_cast<std::size_t>(bodies_.size());
   growth_ = freedom_.size ? std::exp(x[next++] / start_.length[0]) : 1;
@@ -60,7 +61,8 @@ void CellObjective::strain_cell(std::span<const double> x) {
 double CellObjective::evaluate(std::span<const double> x, std::span<double> slope) {
   strain_cell(x);
   const double energy = bodies_.evaluate(at_, slope.first(at_.size()));
-  // The virial is of sites that all move with the cell: less what they move within their bodies then.
+  // The virial belongs to sites that all move with the strain; here bodies keep their shapes, so the part of
+  // the sites' motion relative to their centres is taken out.
   Mat2 virial = bodies_.evaluation().virial;
   for (const Group& group : groups_) {
     const Vec2 c = mean(&x[group.first], group.count);
@@ -80,7 +82,8 @@ double CellObjective::evaluate(std::span<const double> x, std::span<double> slop
 
 double CellObjective::residual(std::span<const double> x, std::span<const double> slope) {
   double most = bodies_.residual(at_, slope.first(at_.size()));
-  // Per vertex on the rim of the cell, or the whole cell would have to balance as well as one vertex.
+  // The slopes by size and strain sum over the whole cell; per vertex along its rim they compare with net
+  // forces.
   const double share = 1 / std::sqrt(static_cast<double>(std::max(1, system_.state.size())));
   for (std::size_t k = at_.size(); k < slope.size(); ++k) most = std::max(most, share * std::abs(slope[k]));
   return most;

@@ -1,19 +1,20 @@
-/// Bodies in a cell that is free itself: what the minimisers work on at constant pressure.
+/// Bodies in a cell that may change itself: what the minimisers work on at constant pressure.
 #pragma once
 #include "supple/solve/body_objective.hpp"
 
 namespace supple {
 
-/// What of the cell moves: its size, keeping the ratio of its lengths, and its shear strain.
+/// What of the cell may change: its size, at a fixed ratio of its lengths, and its shear strain.
 struct CellFreedom {
   bool size = true, shear = false;
 };
 
-/// The enthalpy H = U + P A + (shear stress) A0 (strain) of a periodic cell of area A under a wanted pressure
-/// P and shear stress -Sigma_xy, both outside. Numbers: those of BodyDegrees in the cell as it was at
-/// construction, whose bodies move with the strain of the cell by their centres, without deforming; then
-/// ln(size) and shear strain, each times the first length of the cell, so that they are lengths too. At a
-/// minimum the net forces vanish, P is the virial pressure, and so is the shear stress.
+/// The enthalpy H = U + P A - tau A0 gamma of a periodic cell of area A, A0 at construction, under an outer
+/// pressure P and shear stress tau; gamma is the shear strain since construction. The numbers that it is a
+/// function of: those of BodyDegrees in the cell as it was at construction, where the strain of the cell
+/// moves bodies with their centres and does not deform them; then ln(size) and gamma, each times the first
+/// length of the cell at construction, so that they are lengths too. At a minimum the net forces vanish, the
+/// virial pressure is P, and the shear stress -Sigma_xy is tau A0/A.
 class CellObjective final : public Objective {
  public:
   CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,
@@ -22,8 +23,8 @@ class CellObjective final : public Objective {
   std::vector<double> coordinates() const;
   int size() const override { return bodies_.size() + extra(); }
   double evaluate(std::span<const double> x, std::span<double> slope) override;
-  /// Of the bodies by their own second derivatives, as in the cell at construction; of the cell by central
-  /// differences of the slope.
+  /// For the bodies their own second derivatives, as if the cell were that of construction; for the cell
+  /// central differences of the slope.
   void hessian(std::span<const double> x, SparseMatrix& lower) override {
     assemble(x, HessianKind::exact, lower);
   }
@@ -35,7 +36,7 @@ class CellObjective final : public Objective {
   double largest_move() const override { return bodies_.largest_move(); }
 
  private:
-  /// Numbers that move together: `count` positions from number `first` on.
+  /// Positions that move together when the cell is strained: `count` pairs of numbers from number `first` on.
   struct Group {
     std::size_t first;
     int count;

@@ -1,4 +1,4 @@
-/// A minimisation under way: the point, its gradient, and the account of the work done.
+/// A minimisation under way: the point, its gradient, and a report of the work done.
 #pragma once
 #include <functional>
 #include <span>
@@ -12,14 +12,14 @@ namespace supple {
 /// Why a minimisation ended.
 enum class Ending {
   converged,
-  stopped,      ///< by its callback, which had seen enough
+  stopped,      ///< by the callback
   interrupted,  ///< the user asked to stop
   exhausted,    ///< max_evaluations were not enough
   stalled,      ///< the residual falls no further
   not_finite    ///< energy or gradient
 };
 
-/// What a minimisation reached, and why it stopped.
+/// What a minimisation reached, and why it ended.
 struct MinimiseReport {
   bool converged = false;
   Ending ending = Ending::stopped;
@@ -28,27 +28,28 @@ struct MinimiseReport {
   std::string reason;
 };
 
-/// Called every so many iterations; returns false to stop.
+/// Called every `callback_interval` iterations; returns false to stop.
 using MinimiseCallback = std::function<bool(const MinimiseReport&)>;
 
-/// Whether the user asked to stop; asked at every evaluation, so it must be quick.
+/// Whether the user asked to stop. Called at every evaluation, so it must be quick.
 using StopRequest = std::function<bool()>;
 
-/// The minimisers move `x` and call evaluate(); the last evaluation of a run is always at `x`.
+/// What the minimisers share: they move `x` and evaluate there. At the end of a run the last evaluation is at
+/// `x`.
 struct Descent {
   Descent(Objective& function, std::span<double> point)
       : objective(function), x(point), gradient(point.size()) {}
 
-  /// Energy, gradient, residual and tolerance at x. False if energy or gradient is not finite.
+  /// Computes energy, gradient, residual and tolerance at x. False if energy or gradient is not finite.
   bool evaluate();
-  /// The same without the energy, which report holds of an earlier point then.
+  /// The same without the energy; the one in `report` is then that of an earlier point.
   bool evaluate_slope();
   /// Counts an iteration and calls back when it is time to.
   void count_iteration();
-  /// Whether to stop: converged, out of evaluations, or told to. The report's reason then says why.
-  /// Factorisations count as evaluations, as the time of a run is bounded by both.
+  /// Whether to stop: converged, out of evaluations, or asked to. The report then says why. Factorisations
+  /// count as evaluations, because they take time too.
   bool finished();
-  /// Ends it as not converged; the first reason stays.
+  /// Ends the minimisation as not converged. Only the first call sets ending and reason.
   void stop(Ending ending, const std::string& reason);
 
   Objective& objective;
@@ -61,7 +62,7 @@ struct Descent {
   StopRequest stop_requested;
 
  private:
-  /// Residual and tolerance at x. False if the gradient is not finite.
+  /// Computes residual and tolerance at x. False if the gradient is not finite.
   bool look();
 
   bool stopped_ = false;

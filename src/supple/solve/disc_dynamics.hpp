@@ -1,4 +1,5 @@
-/// The documented microgel model in time: leapfrog, plates, damping relative to the flow.
+/// The documented microgel model in time, and bodies in shear: leapfrog, plates, damping relative to the
+/// flow.
 #pragma once
 #include "supple/force/force_field.hpp"
 #include "supple/model/body_flow.hpp"
@@ -7,16 +8,17 @@
 
 namespace supple {
 
-/// Leapfrog of any step: positions and forces at t, velocities half a step earlier (System::lag; 0: the same
-/// instant).
+/// Leapfrog with a step that may change: positions and forces are of the time t, velocities of t - lag/2, lag
+/// being the last step (System::lag; 0: the same instant).
 ///     v(t + dt/2) = v(t - lag/2) + (lag + dt)/2 F(t)/m,    x(t + dt) = x(t) + dt v(t + dt/2)
-/// Second order, one evaluation a step, and the state alone gives the next step bit for bit.
+/// It is of second order and takes one evaluation a step. The state alone decides the next step, bit for bit.
+/// Discs and bodies cross boundaries by wrap_bodies().
 class DiscDynamics : public Stepper {
  public:
   explicit DiscDynamics(ForceField forces) : forces_(std::move(forces)) {}
 
   const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) override;
-  /// v(t) = v(t - dt/2) + F(t)/m dt/2, and spins alike; relative to the flow of that instant.
+  /// v(t) = v(t - lag/2) + (lag/2) F(t)/m, and spins likewise, with the flow of the rate `rate_now`.
   void bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
                         std::vector<double>& spin) const override;
   void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
@@ -39,8 +41,8 @@ class DiscDynamics : public Stepper {
   EnergyBalance* account_ = nullptr;
 };
 
-/// With capturing plates: free discs that touch a plate join it; where the cell is not periodic they are
-/// fixed instead.
+/// With Plates::capture, free discs that touch a plate (y = 0 or y = Ly of a periodic cell) join it, and free
+/// discs that touch the end of a direction that is not periodic are fixed there.
 void capture_at_boundaries(System<2>& system, Plates plates);
 
 }  // namespace supple

@@ -7,21 +7,22 @@
 
 namespace supple {
 
-/// H + shift I = L D L^T. The order of elimination (minimum degree) is kept while the pattern changes little.
+/// H + shift I = L D L^T for a sparse symmetric H. The order of elimination (minimum degree) is kept while
+/// the pattern of H changes little.
 class Factorisation {
  public:
-  /// Takes the matrix (lower triangle) and looks at its pattern.
+  /// Takes H (lower triangle) and analyses its pattern.
   void set(const SparseMatrix& lower);
-  /// True if positive definite. Rows may be empty when shift > 0.
+  /// Factorises H + shift I. True if it is positive definite. Rows of H may be empty when shift > 0.
   bool factorise(double shift);
-  /// After factorise() returned false: a curvature z.(H + shift I)z / z.z that is not positive; no eigenvalue
-  /// of H + shift I below it need exist, but one at most as large does.
+  /// After factorise() returned false: a curvature z.(H + shift I)z / z.z that is not positive. The least
+  /// eigenvalue of H + shift I is at most as large.
   double negative_curvature();
-  /// b becomes (H + shift I)^-1 b.
+  /// Replaces b by (H + shift I)^-1 b.
   void solve(std::span<double> b);
 
   double largest_diagonal() const { return largest_diagonal_; }
-  /// Multiplications of one factorisation and of one solution.
+  /// Numbers of multiplications in one factorisation and in one solve().
   double factorise_work() const { return factorise_work_; }
   double solve_work() const { return solve_work_; }
 

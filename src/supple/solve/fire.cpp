@@ -61,7 +61,7 @@ double largest_eigenvalue(Descent& descent, std::vector<double>& direction, int 
     direction.resize(n);
     fill_scattered(direction);
   }
-  // Far above rounding, far below the distance over which contacts change.
+  // A displacement far above rounding and far below the distance over which contacts change.
   const double move = descent.objective.largest_move();
   const double probe = std::isfinite(move) ? 1e-4 * move : 1e-6 * std::max(1.0, largest(origin));
   double eigenvalue = 0;
@@ -128,7 +128,7 @@ void Fire::step(Descent& descent) {
     turn_back(descent);
     p = {0, 0, dot(descent.gradient, descent.gradient)};
   }
-  // v + dt F, then the part `mixing` of it turned into the direction of F.
+  // v + dt F, of which the share `mixing` is then turned into the direction of F.
   const double speed = std::sqrt(std::max(0.0, p.vv - 2 * dt_ * p.vg + dt_ * dt_ * p.gg));
   double keep = 1 - mixing_;
   double push = keep * dt_ + (p.gg > 0 ? mixing_ * speed / std::sqrt(p.gg) : 0.0);
@@ -142,7 +142,7 @@ void Fire::step(Descent& descent) {
     push *= factor;
   }
   kick_and_drift(keep, push, dt_, descent.gradient.data(), velocity_.data(), descent.x.data(), n);
-  // Energies are worth their price only where someone looks at them.
+  // Energies take time: they are computed only for the callback.
   energy_known_ = (descent.report.iterations + 1) % descent.callback_interval == 0;
   if (!(energy_known_ ? descent.evaluate() : descent.evaluate_slope())) recover(descent);
   descent.count_iteration();
@@ -150,7 +150,7 @@ void Fire::step(Descent& descent) {
 
 void Fire::turn_back(Descent& descent) {
   if (!energy_known_ && !descent.evaluate()) return recover(descent);
-  // The energy that damped dynamics reaches is never above that of its start, unless the step is unstable.
+  // Damped dynamics never reaches an energy above that of its start, unless the step is unstable.
   const double energy = descent.report.energy;
   if (energy > energy_at_rest_ + 1e-6 * std::abs(energy_at_rest_) && since_refresh_ > 20) {
     safety_ = std::max(0.1, 0.8 * safety_);

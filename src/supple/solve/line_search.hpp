@@ -1,4 +1,4 @@
-/// A step along a descent direction that is good enough.
+/// A search for a step along a descent direction that lowers the energy enough.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace supple {
 
-/// Moves `descent` from the point last evaluated along `direction`, by at most `most` times it, trying
-/// `first` times it first. Accepts by the Wolfe conditions or, where differences of energy drown in rounding,
-/// the approximate Wolfe conditions of Hager and Zhang, SIAM J. Optim. 16, 170 (2005). Returns the step; 0,
-/// back at the start, if there is none.
+/// Moves `descent` from the point last evaluated to x + step * direction, step at most `most` and at first
+/// `first`. A step is accepted by the Wolfe conditions or, where differences of energy drown in rounding, by
+/// the approximate Wolfe conditions of Hager and Zhang, SIAM J. Optim. 16, 170 (2005). Returns the step; 0 if
+/// none was accepted, with `descent` back at the start.
 double line_search(Descent& descent, std::span<const double> direction, double first, double most);
 
 }  // namespace supple

@@ -63,11 +63,11 @@ double Newton::shift_for(const Descent& descent) const {
 }
 
 bool Newton::refresh(Descent& descent) {
-  // Newton itself needs the Hessian; memory makes up for what a cheaper matrix leaves out.
+  // Without memory the exact Hessian is needed; memory makes up for what a cheaper matrix leaves out.
   if (spec_.memory == 0) descent.objective.hessian(descent.x, hessian_);
   else descent.objective.preconditioner(descent.x, hessian_);
   factorised_ = false;
-  if (!is_finite(hessian_)) return false;  // two discs at one point, say
+  if (!is_finite(hessian_)) return false;  // such as of two discs at one point
   factorisation_.set(hessian_);
   double shift = shift_for(descent);
   needed_shift_ = 0;
@@ -91,8 +91,8 @@ bool Newton::is_stale(double residual) {
   if (spec_.memory == 0) return true;
   const double n = static_cast<double>(direction_.size());
   const double iteration = factorisation_.solve_work() + 4 * n * spec_.memory + 20 * n;
-  // A new matrix must also be assembled, ordered and analysed, and the memory is lost with the old one: by
-  // measurement.
+  // A new matrix must also be assembled, ordered and analysed, and the memory of steps is lost with the old
+  // one. The factors are measured.
   const double price = (4 * factorisation_.factorise_work() + 3000 * n) / iteration;  // in iterations
   if (done < window) return false;
   const double gain = std::log(history_.front() / history_.back());

@@ -1,5 +1,5 @@
-/// Second-order minimisation: limited-memory BFGS preconditioned by a factorised Hessian, which is
-/// regularised Newton when there is no memory.
+/// Second-order minimisation: limited-memory BFGS preconditioned by a factorised Hessian; without memory it
+/// is a regularised Newton method.
 #pragma once
 #include <vector>
 
@@ -13,14 +13,15 @@ struct NewtonSpec {
       12;  ///< steps whose change of gradient corrects the factorisation; 0: a factorisation every step
 };
 
-/// Steps -B g, where B is the inverse of H + shift I corrected by the L-BFGS recursion (Nocedal 1980) with
-/// the steps since it was factorised. The shift keeps it positive definite and its steps short, and falls
-/// with the gradient.
+/// Steps along -B g, with the gradient g and B the inverse of H + shift I, corrected by the L-BFGS recursion
+/// (Nocedal 1980) with the steps since the factorisation. The shift keeps H + shift I positive definite and
+/// steps short; it falls with the gradient.
 class Newton {
  public:
   explicit Newton(const NewtonSpec& spec = {}) : spec_(spec) {}
 
-  /// Moves until finished or for so many iterations. False if it cannot go on from where it is.
+  /// Moves until descent.finished() or for `iterations` iterations. False if it cannot go on from where it
+  /// is.
   bool run(Descent& descent, long iterations);
 
  private:
@@ -30,7 +31,8 @@ class Newton {
   };
 
   bool iterate(Descent& descent);
-  /// False, with no factorisation, where second derivatives are not finite, or when it is time to stop.
+  /// Makes a new factorisation. False, without one, where second derivatives are not finite or it is time to
+  /// stop.
   bool refresh(Descent& descent);
   void find_direction(std::span<const double> gradient);
   void remember(const std::vector<double>& before, double step, std::span<const double> gradient);
@@ -44,8 +46,8 @@ class Newton {
   std::vector<double> direction_, before_, weight_;
   std::vector<double> history_;  ///< smallest residual after each iteration since the factorisation
   bool factorised_ = false;
-  double damping_ = 0.1;     ///< of the shift, in units of (largest gradient / largest move)
-  double needed_shift_ = 0;  ///< that made the last one positive definite, if it needed one
+  double damping_ = 0.1;     ///< the shift over (largest |component| of the gradient / largest move)
+  double needed_shift_ = 0;  ///< shift that the last factorisation needed to be positive definite; 0: none
 };
 
 }  // namespace supple

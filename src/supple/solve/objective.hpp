@@ -11,14 +11,14 @@ namespace supple {
 using SparseMatrix = Eigen::SparseMatrix<double>;  ///< lower triangle only, column major
 
 /// A function of n numbers with a continuous gradient and, almost everywhere, second derivatives. The numbers
-/// are scaled alike (lengths, say): the minimisers give all of them unit mass.
+/// should be of one kind, such as lengths, because the minimisers give all of them unit mass.
 class Objective {
  public:
   virtual ~Objective() = default;
   virtual int size() const = 0;
   /// Energy at x; fills the gradient `slope`.
   virtual double evaluate(std::span<const double> x, std::span<double> slope) = 0;
-  /// The gradient alone, where that is cheaper; by evaluate() unless overridden.
+  /// Fills the gradient alone, where that is cheaper; by evaluate() unless overridden.
   virtual void evaluate_slope(std::span<const double> x, std::span<double> slope) { evaluate(x, slope); }
   /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
   /// contacts come and go; rows may be empty.
@@ -26,13 +26,13 @@ class Objective {
   /// A matrix near the Hessian, in the same form, that is faster to factorise; the Hessian itself unless
   /// overridden.
   virtual void preconditioner(std::span<const double> x, SparseMatrix& lower) { hessian(x, lower); }
-  /// What must become small; the largest |component| of the gradient unless overridden, e.g. by the largest
-  /// net force on a site.
+  /// What must become small: the largest |component| of the gradient unless overridden, for example by the
+  /// largest net force on a site.
   virtual double residual(std::span<const double> x, std::span<const double> slope) { return largest(slope); }
-  /// Residual at which to stop; it may depend on the state just evaluated (1e-6 of the mean contact force,
-  /// say).
+  /// Residual at which to stop. It may depend on the state last evaluated, such as 1e-6 of the mean contact
+  /// force.
   virtual double tolerance() const = 0;
-  /// Largest change of one number in one step, e.g. a fraction of a site's diameter.
+  /// Largest change of one number in one step, such as a fraction of a site's diameter.
   virtual double largest_move() const { return std::numeric_limits<double>::infinity(); }
 };
 

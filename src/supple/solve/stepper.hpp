@@ -12,8 +12,8 @@ struct ShearRates {
   double now = 0, mid = 0;
 };
 
-/// What the plates do: nothing (plain Lees-Edwards); take with them every disc that reaches them; repel
-/// discs.
+/// What the plates do. none: there are none (plain Lees-Edwards); capture: every disc that reaches a plate
+/// moves with it; repulsive: they repel discs.
 enum class Plates { none, capture, repulsive };
 
 class EnergyBalance;
@@ -21,23 +21,24 @@ class EnergyBalance;
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// Forces and contacts at the present instant, as the tensors see them. Commits nothing.
+  /// Forces and contacts at the present instant, from which stresses are computed. Contacts do not remember
+  /// yet.
   virtual const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) = 0;
-  /// The same with energies and virial, where has_energies().
+  /// The same with energies and virial, if has_energies().
   virtual const Evaluation<2>& evaluate_energies(System<2>& system, ShearRates rates) {
     return evaluate(system, rates);
   }
   virtual bool has_energies() const { return false; }
-  /// Books every step on this account, whose opening the caller sees to (nullptr: none). Evaluations then
-  /// hold energies. Only where has_energies().
+  /// Books every step on this account (nullptr: on none), which the caller opens. Evaluations then hold
+  /// energies. Only if has_energies().
   virtual void set_account(EnergyBalance*) {}
-  /// From the present instant to dt later, evaluate() having been called; `damping` multiplies, once,
-  /// velocity relative to the flow and spin. Throws a numerics error that names step and disc if a value is
-  /// not finite.
+  /// Moves the system on by dt [time]; evaluate() must have been called at the present instant. `damping`
+  /// multiplies velocities relative to the flow, and spins, once. Throws a numerics error that names step and
+  /// site if a value is not finite.
   virtual void advance(System<2>& system, ShearRates rates, double dt, double damping) = 0;
 
-  /// Velocities and spins at the instant of the positions, after evaluate(); the flow is that of `rate_now`.
-  /// A stepper whose velocities are of that instant changes nothing.
+  /// Brings copies of velocities and spins to the instant of the positions, after evaluate(), with the flow
+  /// of the rate `rate_now`. A stepper whose velocities are of that instant changes nothing.
   virtual void bring_to_instant(const System<2>&, double rate_now, std::vector<Vec2>& velocity,
                                 std::vector<double>& spin) const {
     (void)rate_now, (void)velocity, (void)spin;

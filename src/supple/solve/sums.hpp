@@ -1,4 +1,5 @@
-/// Sums over long arrays in eight lanes: fast, and the same bits whatever the alignment and vector width.
+/// Sums over long arrays in eight lanes: fast, and with the same bits for any alignment and width of vector
+/// instructions.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -67,7 +68,7 @@ inline double largest_square_of_pairs(std::span<const double> a) {
   return result;
 }
 
-/// y += factor x
+/// Adds factor x to y.
 inline void add_scaled(double factor, std::span<const double> x, std::span<double> y) {
   for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];
 }
