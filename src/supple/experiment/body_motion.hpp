@@ -1,4 +1,4 @@
-/// Steps of bodies in time, as experiments need them.
+/// Motion of bodies in time, as experiments need it: the step, velocities at the start, the table.
 #pragma once
 #include <optional>
 
@@ -7,21 +7,21 @@
 
 namespace supple {
 
-/// Step of the case, or that of the run to go on from, so that the bits are the same; else `of_limit` of the
-/// stability limit times step_factor.
+/// Time step [time] of the case or, unless keys of [time] were given, of the run to go on from, so that the
+/// bits are the same; else step_factor times the share `of_limit` of the stability limit (default_step).
 double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit);
 
-/// How preferred shapes flow, where the case says that they do.
+/// The plastic law of the case; nullopt where preferred shapes stay.
 std::optional<PlasticLaw> plastic_law(const Case& c);
 
-/// As if nothing had moved before: no velocities, time and step 0, no memory of the floor.
+/// Sets velocities, time and step to 0, and forgets where sites stick to the floor.
 void put_at_rest(System<2>& system);
 
-/// Gaussian velocities without net momentum of exactly this kinetic energy per site, and of 3/2 of it per
-/// rigid body. Input error where only one site could move.
+/// Gaussian velocities without net momentum, with a total kinetic energy of exactly `energy` for each site
+/// outside rigid bodies and 3/2 `energy` for each rigid body. Input error where only one site could move.
 void draw_velocities(System<2>& system, double energy, std::int64_t seed);
 
-/// Columns of a table of a motion: time, energies, momentum, pressure.
+/// Columns and a row of the table of a motion: time, energies, pressure, mean height.
 std::vector<Column> motion_columns(const Packing& packing);
 std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation);
 

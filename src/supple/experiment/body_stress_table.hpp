@@ -6,18 +6,19 @@
 
 namespace supple {
 
-/// A row per step: of all shapes, contacts and links, compression positive, in pressure units; with `tensors`
-/// every component of the virial. Keeps the series that demodulation needs.
+/// A row per step: the stress of all shapes, contacts and links, compression positive, in pressure units;
+/// with `tensors`, every component of the virial. Keeps the series that demodulation needs.
 class BodyStressTable {
  public:
   BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder);
-  /// One row; the evaluation holds energies. The rate is that of this instant.
+  /// Adds a row. The evaluation must hold energies; the strain rate is that of its instant [1/time].
   void append(const Evaluation<2>& evaluation, double strain_rate);
 
   std::vector<double> time, virial, total, pressures;
 
  private:
-  /// sum m u_x u_y of this instant [energy]; the flow is that of the velocities, of half a step before.
+  /// sum m u_x u_y at the instant of the forces [energy], u relative to the flow of the box (that of half a
+  /// step before).
   double kinetic_moment(const Evaluation<2>& evaluation) const;
 
   const Packing& packing_;

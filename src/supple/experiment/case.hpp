@@ -1,4 +1,6 @@
-/// A case: every parameter of a run, with its default. Names are the keys of the TOML file. Values in SI.
+/// A case: every parameter of a run, with its default. Names are the keys of the TOML file; units and
+/// meanings stand with the fields (case.cpp, case_bodies.cpp). Values are in SI, those of deformable
+/// particles in their units.
 #pragma once
 #include <cstdint>
 #include <set>
@@ -49,14 +51,14 @@ struct Cell {
 
 struct Shear {
   double amplitude = 0.2, relative_frequency = 0.025;
-  double periods = 9;  ///< as published 3: see resolve_family
+  double periods = 9;  ///< 3 with the physics of the published package: see resolve_family
   double pre_periods = 2, post_periods = 1;
   double cool_factor = 0.5;
   std::string rate = "0";
 };
 
 struct Stepping {
-  double time_step = 0;    ///< 0: chosen from the stability and accuracy criterion
+  double time_step = 0;    ///< 0: a share of the stability limit
   double step_factor = 1;  ///< multiplies the chosen step
   std::int64_t steps = 0;  ///< `dynamics` only
 };
@@ -68,16 +70,16 @@ struct Preparation {
 struct Initial {
   std::string state;    ///< path of a state (Supple's run file or the reference's JSON); empty: random discs
   std::string packing;  ///< path of a packing of polygons (JSON); empty: made from [bodies]
-  bool keep_time = false;  ///< t goes on from the state's own; else it starts at 0
+  bool keep_time = false;  ///< time goes on from that of the state; else it starts at 0
 };
 
-/// Deformable particles, in units in which the preferred area of a small one is 1.
+/// Deformable particles, in units in which the preferred area of a small one and the mass of a vertex are 1.
 struct Bodies {
   std::string family = "shell";
   int count = 64, vertices = 20;
   std::string vertex_rule = "equal";
   double size_ratio = 1.4, large_fraction = 0.5;
-  double shape_parameter = 0;  ///< 0: of the regular polygon
+  double shape_parameter = 0;  ///< A0; 0: that of the regular polygon
   double shape_ratio = 0,
          shape_ratio_large = 0;  ///< over that of each particle's regular polygon; 0: not given
   double diameter_ratio = 1;
@@ -139,9 +141,9 @@ struct Output {
   bool text = false;                  ///< also write the published text format
 };
 
-/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set; the
-/// others hold defaults and give way to what a state file says. `origin` is the file the case came from, for
-/// errors and relative paths.
+/// A whole case. `given` names the keys ("section.key", or "seed" above any section) that the user set;
+/// others have their defaults, which give way to what a state says. `origin` is the file that the case came
+/// from, for errors and relative paths.
 struct Case {
   General general;
   Material material;
@@ -235,22 +237,23 @@ void for_each_key(AnyCase& c, Visit&& visit) {
   });
 }
 
-/// Whether the case asks for what the published package computes.
+/// Whether the case asks for physics = "particleshear-1.0.2", what the published package computes.
 bool is_package(const Case& c);
 
-/// The sections of which the case's experiment uses a key, in the order of the file.
+/// The sections with a key that the case's experiment uses, in the order of the file.
 std::vector<std::string> sections_of(const Case& c);
 
-/// What is not given and follows from what is: the physics from the experiment, the periods of the published
-/// package, the stiffnesses of a family [MacKeith 2025, Table 9.1].
+/// Sets keys that were not given and follow from others: the physics from the experiment, the periods of the
+/// published package, the stiffnesses of a family [MacKeith 2025, Table 9.1].
 void resolve_family(Case& c);
 
-/// Checks that need several keys at once (packing that cannot be reached, plateau that ends before it begins,
-/// ...). Throws one input error, a line for each problem; ranges of single keys are checked where the case is
-/// read.
+/// Checks what one key cannot know of others (a packing that cannot be reached, a plateau that ends before it
+/// begins, ...). Throws one input error with a line for each problem. Ranges of single keys are checked where
+/// the case is read.
 void check(const Case& c);
 
-/// What is allowed but was probably not meant: keys without effect, protocols that cannot be evaluated.
+/// Warnings of what is allowed but was probably not meant: keys without effect, protocols that cannot be
+/// evaluated.
 std::vector<std::string> find_doubts(const Case& c);
 
 }  // namespace supple

@@ -6,14 +6,13 @@
 
 namespace supple {
 
-/// One of them, in SI, known before anything is run; it goes to the group "constants".
+/// One number that follows from a case before anything is run; a run records it in the group "constants".
 struct Derived {
   Column name;
   double value;
 };
 
-/// Constants of a disc law, the same names in both fidelities. Stiffness and viscosity in `units` [per metre
-/// of depth].
+/// Constants of a disc law, per metre of depth, in the `units` given to name_constants().
 struct LawConstants {
   double mean_mass, tau, friction;
   double k, k_t, eta, eta_t;                      ///< contacts

@@ -1,4 +1,5 @@
-/// The table "energy": where the energy of a suspension is, whence it came and where it went, a row per step.
+/// The table "energy": where the energy of a suspension is, where it came from and where it went, a row per
+/// step.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,23 +12,24 @@
 
 namespace supple {
 
-/// Declares and fills the table, in J per metre of depth (bodies of many sites: in units of the run), and
-/// keeps the account that it is made from: the stepper books every step on it. Only where it has energies.
+/// Declares and fills the table, in J per metre of depth (of deformable particles: in units of the run), and
+/// holds the account on which the stepper books every step. Only for steppers with has_energies().
 class EnergyTable {
  public:
-  /// With the time of `initial` (initial.keep_time) the account of that run goes on, where it has one.
+  /// Where time goes on from that of `initial` (initial.keep_time), the account of that run goes on too, if
+  /// it has one.
   EnergyTable(Recorder& recorder, Stepper& stepper, const System<2>& system, const Units& units,
               const Case& c, const InitialState* initial);
   EnergyTable(const EnergyTable&) = delete;
   EnergyTable& operator=(const EnergyTable&) = delete;
 
-  /// What is left over of the balance, over all that was lost so far: the error of the time step.
+  /// |residual of the balance| over all energy lost so far: the error of the time step.
   double relative_residual(const System<2>& system, const Evaluation<2>& evaluation) const;
-  /// One row; the first opens the account. The evaluation is the stepper's at this instant.
+  /// Adds a row; the first one opens the account. The evaluation is the stepper's at the present instant.
   void append(const System<2>& system, const Evaluation<2>& evaluation);
-  /// All that was lost up to each row [energy of the run].
+  /// All energy lost up to each row [energy].
   const std::vector<double>& lost() const { return lost_; }
-  /// Hands over what a continuation needs of the account.
+  /// Records the numbers of the account that a continuation needs.
   void finish();
 
  private:
@@ -39,7 +41,7 @@ class EnergyTable {
   std::vector<double> lost_;
 };
 
-/// Names in protocol_group of what an account needs to go on [J/m].
+/// Names in protocol_group of the numbers that an account needs to go on [J/m].
 std::vector<std::string> account_numbers();
 
 }  // namespace supple

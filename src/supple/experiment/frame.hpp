@@ -8,22 +8,24 @@
 
 namespace supple {
 
-/// The instant of `evaluation`: contacts of discs as it found them.
+/// The frame of microgel discs at the instant of `evaluation`, with the contacts and the stress of each disc.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// The same of bodies with these contacts: rows ascending, with the friction and the links of the evaluation.
-/// Two corners that meet head on, each of which acts on the other's edges, are one row.
+/// The frame of deformable particles with these contacts, and the friction and links of the evaluation; rows
+/// ascend. Two corners that meet head on, each acting on the edges of the other, are one row.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
                  const std::vector<ContactRecord<2>>& records, const BodyLaw& law);
 
-/// The stress tensor of each body, compression positive, as numbers stress_xx ... stress_yy; xy: force along
-/// x, line of action along y. Of a disc: (1/2 pi r^2) sum F l^T over its contacts.
+/// Adds the stress tensor of each body, compression positive, as numbers stress_xx to stress_yy; in xy, x is
+/// the direction of the force and y that of the position. The stress of a microgel disc is 1/(2 pi r^2) sum F
+/// l^T over its contacts: each contact counts half for either disc.
 void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress);
 
-/// The components of a tensor as numbers NAME_xx ... NAME_yy.
+/// Adds the components of a tensor as numbers NAME_xx to NAME_yy.
 void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat2& tensor);
 
-/// What a run is: sizes and masses of the sites, their bodies or, of discs, crosslinked particles.
+/// What stays the same in a run: sizes and masses of sites, and the bodies or, of discs, the crosslinked
+/// particles that they form.
 RunInfo make_run_info(const System<2>& system, const Units& units);
 
 }  // namespace supple

@@ -6,8 +6,8 @@
 
 namespace supple {
 
-/// `frames` of the instants 0 ... last, evenly spaced, the first and the last included (one alone: the last);
-/// all of them where there are fewer. due() is asked for each instant in order.
+/// Chooses `frames` of the instants 0 to last, evenly spaced, the first and the last included; one frame is
+/// the last instant; all instants where there are fewer. due() must be asked for each instant in order.
 class FrameSchedule {
  public:
   FrameSchedule(std::int64_t last, std::int64_t frames)

@@ -1,16 +1,16 @@
-/// Runs of deformable particles that start from a packing that is there.
+/// Stiffnesses in runs of deformable particles that start from a given packing.
 #pragma once
 #include "supple/experiment/case.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
 
-/// Stiffnesses of [bodies] that the user did not give become those of the first deformable body of `system`
-/// (others may have others).
+/// Sets the stiffnesses of [bodies] that the user did not give to those of the first deformable body of
+/// `system`; other bodies may have other ones.
 void adopt_stiffness(Case& c, const System<2>& system);
 
-/// Stiffnesses of [bodies] that the user gave replace those of the deformable bodies of `system`, by their
-/// preferred areas, lengths and perimeters; the others stay.
+/// Replaces the stiffnesses of all deformable bodies of `system` by those of [bodies] that the user gave,
+/// made absolute with the preferred area, edge length and perimeter of each body. The others stay.
 void give_stiffness(const Case& c, System<2>& system);
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-/// A heap of particles under gravity on a floor: its shape, and what bears it.
+/// A heap of particles under gravity on a floor: its shape, and the forces that bear it.
 #pragma once
 #include <utility>
 #include <vector>
@@ -11,33 +11,34 @@ namespace supple {
 
 struct Heap {
   double time = 0, kinetic = 0, potential = 0;
-  double height = 0;          ///< of the mass, in the mean [length]
+  double height = 0;          ///< mean height of the mass [length]
   double front = 0, top = 0;  ///< rightmost and highest end of a particle [length]
   double spread =
       0;  ///< twice the mean distance of the mass from the left wall: the width of a heap that is flat
-  double slope = 0;      ///< of the line through the surface, downward to the right
+  double slope = 0;      ///< of the line fitted to the surface; positive: downward to the right
   WallForces walls;      ///< [weight of all particles]
   double motion = 0;     ///< kinetic energy over that of a fall of all particles by their mean diameter
   double imbalance = 0;  ///< largest net force on a particle over its weight
 };
 
-/// The instant of `evaluation`. Needs gravity.
+/// Measures the heap at the instant of `evaluation`, which must hold energies. There must be gravity.
 Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
 
-/// Whether it lies still: less `motion` than that, and the forces on every particle in balance to 1 % of its
-/// weight. At the top of a bounce nothing moves, but nothing bears the weight either.
+/// Whether the heap lies still: Heap::motion is below `motion`, and the forces on every particle balance to 1
+/// % of its weight. The second condition matters at the top of a bounce, where nothing moves but nothing
+/// bears the weight.
 bool is_at_rest(const Heap& heap, double motion);
 
-/// Its table.
+/// Columns and a row of the table of a heap.
 std::vector<Column> heap_columns();
 std::vector<double> heap_row(const Heap& heap);
-/// What a run says of it at the end.
+/// What a run records of the heap at the end.
 std::vector<std::pair<Column, double>> heap_results(const Heap& heap);
 
 /// Weight of all sites [force].
 double weight(const System<2>& system, ForceField& field);
 
-/// Of the circles round the bodies (outer_radius) [length].
+/// Mean and largest diameter of the circles round the bodies (outer_radius) [length].
 double mean_diameter(const System<2>& system);
 double widest_diameter(const System<2>& system);
 

@@ -9,26 +9,28 @@
 
 namespace supple {
 
-/// Values by key ("contact.kind"), in SI as in the case. Which keys these are, the fields say by their Role.
+/// Values by key ("contact.kind"), in the units of a case. The Role of its field says whether a key is among
+/// them.
 using KeyValue = std::variant<double, std::int64_t, bool, std::string>;
 using HeldKeys = std::map<std::string, KeyValue>;
 
-/// What a state of this case holds: keys of the roles law and sample in sections that its experiment reads.
+/// What a state of this case holds: the keys with the roles law and sample in the sections that its
+/// experiment uses.
 HeldKeys held_keys(const Case& c);
 
-/// Those of the role law alone.
+/// The keys with the role law among these.
 HeldKeys laws_of(const HeldKeys& keys);
 
-/// The keys that the user gave. Input error that names a key which no state holds.
+/// The keys that the user gave. Throws an input error on a key that no state holds.
 HeldKeys given_as_held(const Case& c);
 
-/// Keys that the user did not give get the value of the state. Of those that were given a law wins over the
-/// state; a key about the sample has to be that of the state, as its particles are there already: `known`
-/// holds what is known of them besides, and one input error has a line for each that differs or that the
-/// state cannot confirm.
+/// Gives keys that the user did not give the value in the state `file`: of `held`, its keys by name, or else
+/// of `known`, what its particles themselves tell. A law that the user gave wins over the state. A key about
+/// the sample that the user gave must have the value of the state, as the particles exist already; one input
+/// error has a line for each that differs or that the state cannot confirm.
 void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std::string& file);
 
-/// As it stands in a case.
+/// The value as it stands in a case.
 std::string shown(const KeyValue& value);
 
 }  // namespace supple

@@ -13,9 +13,9 @@
 
 namespace supple {
 
-/// Constants of the contact law, in the units of the state that they come with; unset: not in the file, so
-/// the case says. A run records them in the group `material_group`, so that its continuation has the same
-/// bits.
+/// Constants of the contact law of discs, in the units of the state. One that is unset is not in the file,
+/// and the case decides. A run records them in the group `material_group`, so that its continuation has the
+/// same bits.
 struct MaterialConstants {
   std::optional<double> k, nu, k_t,
       nu_t;  ///< springs and viscosities of free contacts, central and tangential
@@ -24,14 +24,14 @@ struct MaterialConstants {
   std::optional<bool> keep_viscosity_coefficients_constant;
 };
 inline constexpr auto material_group = "material";
-/// Names in that group of what Harmonic holds.
+/// Names in that group of the two numbers of Harmonic.
 inline constexpr auto contact_stiffness = "contact_stiffness";
 inline constexpr auto contact_is_relative = "contact_is_relative";
 /// Group of a run for what else its continuation takes over: dt, cool_factor, reset_force_each_step,
-/// removed_stress, and where it keeps an account of energy, account_numbers().
+/// removed_stress and, if the run keeps an account of energy, account_numbers().
 inline constexpr auto protocol_group = "protocol";
 
-/// visit(name, constant) for each; the names are those of the files.
+/// visit(name, constant) for each constant; names are those in files.
 template <class Constants, class Visit>
 void for_each_constant(Constants& c, Visit&& visit) {
   visit("k", c.k);
@@ -45,17 +45,18 @@ void for_each_constant(Constants& c, Visit&& visit) {
   visit("keep_viscosity_coefficients_constant", c.keep_viscosity_coefficients_constant);
 }
 
-/// What else acts on deformable particles, beside the laws.
+/// What acts on deformable particles from outside.
 struct Environment {
-  /// Walls at the lower and upper end of each direction that is not periodic.
+  /// stands[d][0], stands[d][1]: whether a wall stands at the lower and the upper end of direction d, if that
+  /// is not periodic.
   std::array<std::array<bool, 2>, 2> stands{{{true, true}, {true, true}}};
   Vec2 gravity{};
 
   bool is_closed() const { return stands == Environment{}.stands; }
 };
-/// Group of a run for that.
+/// Group of a run for the environment.
 inline constexpr auto environment_group = "environment";
-/// visit(name, stands) for each wall; the names are those of the files.
+/// visit(name, stands) for each wall; names are those in files.
 template <class AnyEnvironment, class Visit>
 void for_each_wall(AnyEnvironment& e, Visit&& visit) {
   visit("left", e.stands[flow][0]);
@@ -69,13 +70,13 @@ struct InitialState {
   System<2> system;
   std::optional<Evaluation<2>> evaluation;  ///< forces and torques carried over; no pair forces
   MaterialConstants material;
-  std::optional<Harmonic> contact;  ///< law of deformable particles' contacts, where the file has it
-  HeldKeys keys;                    ///< laws and sample by name, where the file has them
+  std::optional<Harmonic> contact;  ///< contact law of deformable particles, if the file has it
+  HeldKeys keys;                    ///< laws and sample by name, if the file has them
   Environment environment;          ///< of deformable particles
-  /// Numbers of the protocol where the file has them: dt, cool_factor (per step), steps, f, amplitude, pre,
-  /// periods, post, removed_stress [Pa] (see JumpCorrection), account_numbers() [J/m] (see EnergyTable).
+  /// Numbers of the protocol that the file has, of these: dt, cool_factor (per step), steps, f, amplitude,
+  /// pre, periods, post, removed_stress [Pa] (JumpCorrection), account_numbers() [J/m] (EnergyTable).
   std::map<std::string, double> protocol;
-  bool reset_force_each_step = true;  ///< false: forces on discs that do not move pile up, as in the package
+  bool reset_force_each_step = true;  ///< false: forces on plate discs add up step by step, as in the package
 };
 
 }  // namespace supple

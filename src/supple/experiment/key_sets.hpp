@@ -4,17 +4,17 @@
 
 namespace supple {
 
-/// Of every experiment on discs, and on deformable particles.
+/// Keys of every experiment on discs, and of every one on deformable particles.
 UsedKeys disc_keys();
 UsedKeys body_keys();
-/// Of deformable particles whose energy is minimised.
+/// Keys of deformable particles whose energy is minimised.
 UsedKeys minimised_keys();
-/// Of deformable particles in motion.
+/// Keys of deformable particles in motion.
 UsedKeys moving_keys();
-/// Of deformable particles that rub and are linked: the keys of crosslinked discs.
+/// Keys of deformable particles with friction and links: those of crosslinked discs.
 UsedKeys rubbing_keys();
 
-/// Needs of keys that follow from how a run begins: whether the case names a file to start from.
+/// Whether the case names a file to start from: what some keys need (Need::met).
 bool starts_from_file(const Case& c);
 
 }  // namespace supple

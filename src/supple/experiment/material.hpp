@@ -1,4 +1,5 @@
-/// Constants of the contact law from a case, from a state, or from both: one rule for both fidelities.
+/// Constants of the contact law of discs from a case, a state or both, for the documented model and the
+/// package alike.
 #pragma once
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/initial_state.hpp"
@@ -6,11 +7,12 @@
 
 namespace supple {
 
-/// Base constants, those of links: k, k_t = k times the transversal strength, eta = v sqrt(m k) (S1-9), eta_t
-/// likewise. Contacts: stiffness times the interface re-enforcements, viscosities too unless they are kept
-/// constant. A constant comes from the state (`stored`, in the units of the run) unless the user gave a key
-/// that it depends on; without any such key the stored numbers pass untouched. `k` is the case's own spring
-/// and `mass` the mean mass, in the units of the run. Every constant of the result is set.
+/// Links have the base constants: k, k_t = k r, eta = v sqrt(m k) (S1-9) and eta_t = eta r, r being the
+/// transversal link strength and v the relative viscosity. Contacts have these stiffnesses times the
+/// interface re-enforcements, and the viscosities too unless they are kept constant. A constant comes from
+/// the state (`stored`, in the units of the run) unless the user gave a key that it depends on; if no such
+/// key was given, the stored numbers pass unchanged. `k` is the spring constant of the case and `mass` the
+/// mean mass m, in the units of the run. Every constant of the result is set.
 MaterialConstants resolve_material(const Case& c, const MaterialConstants& stored, double k, double mass);
 
 /// The same constants in other units.

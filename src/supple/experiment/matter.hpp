@@ -1,4 +1,4 @@
-/// The kinds of particles that experiments are about, and what a case of each has to be.
+/// The kinds of particles that experiments are about, and what a case of each kind must fulfil.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,32 +11,32 @@
 
 namespace supple {
 
-/// What a run starts from: particles that it makes, or those of a state.
+/// What a run starts from: nothing (it makes its particles), or a state.
 enum class Start { nothing, state };
 
-/// One kind. Experiments name it in their row; whatever depends on the kind is here.
+/// A kind of particles. Experiments name it in their row; all that depends on the kind stands here.
 struct Matter {
   std::string_view name;
   std::vector<std::string_view>
-      physics;                        ///< values of the key `physics` that mean it; the first unless given
+      physics;                        ///< values of the key `physics` for this kind; the first is the default
   bool (*is_held)(const System<2>&);  ///< whether a state holds it
-  /// What one key of a case cannot know of another.
+  /// Add problems and doubts about keys of a case that one key alone does not show.
   void (*check)(const Case&, Start, Problems&);
   void (*doubt)(const Case&, Doubts&);
-  /// Keys that follow from the particles of a state.
+  /// The values of keys that the particles of a state themselves tell.
   HeldKeys (*known)(const InitialState&);
-  /// Takes over what a state says that stands in no key of its own.
+  /// Takes over what a state knows other than by keys.
   void (*adopt)(Case&, const InitialState&);
-  /// Discs and vertices that a case makes.
+  /// Number of discs and vertices that a case makes.
   std::int64_t (*sites)(const Case&);
-  /// "150 discs, documented model"; the state is null where the case makes the particles.
+  /// The particles in words, "150 discs, documented model"; the state is null where the case makes them.
   std::string (*describe)(const Case&, const InitialState*);
 };
 
 const Matter& disc_matter();
 const Matter& body_matter();
 
-/// The kind that the case asks for by its `physics` or a packing; null where it does not say.
+/// The kind that the case asks for by `physics` or initial.packing; null where it does not say.
 const Matter* asked_matter(const Case& c);
 
 }  // namespace supple

@@ -1,4 +1,5 @@
-/// The documented microgel model as a case asks for it: constants, laws, time step.
+/// The documented microgel model as a case asks for it: constants, laws and time step
+/// (docs/theory/microgel.md).
 #pragma once
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@
 
 namespace supple {
 
-/// Numbers that follow from a case (physics sections 1 and 7). SI, per metre of depth where that applies.
+/// Numbers that follow from a case, in SI; masses, stiffnesses and viscosities are per metre of depth.
 struct MicrogelConstants {
   double mean_mass = 0, smallest_mass = 0;
   double k = 0;                           ///< (pi/8) E (S1-8) [N/m per m]
@@ -30,7 +31,7 @@ struct MicrogelConstants {
 /// numbers. Throws an input error where the time step that was asked for is above the stability limit.
 MicrogelConstants derive_constants(const Case& c, const InitialState* initial);
 
-/// What a run records of them.
+/// The constants that a run records.
 std::vector<Derived> derived_constants(const MicrogelConstants& k);
 
 /// Keys that everybody changes in a first case of a suspension.
@@ -39,20 +40,21 @@ std::set<std::string> microgel_first_keys();
 /// The repulsion law that the case names; c is the central repulsion coefficient.
 Repulsion make_repulsion(const Material& material, double c);
 
-/// Largest stable step of explicit dynamics: 2/w (sqrt(1 + z^2) - z) of a disc of the smallest mass m held by
-/// six contacts, w^2 = 6 (s k + 3 k_t)/m with k stiffened at most s-fold up to 50 % overlap and up to the
-/// stretch of links in an affine shear by `amplitude`, damping ratio z = 6 (eta + 3 eta_t)/(2 m w). The 3 is
-/// 1 of translation and 2 of rotation (r^2/I = 2/m). [O'Sullivan & Bray 2004, with damping]
+/// Largest stable step of explicit dynamics [time]: 2/w (sqrt(1 + z^2) - z) for a disc of the smallest mass m
+/// held by six contacts or links, with w^2 = 6 (s k + 3 k_t)/m and damping ratio z = 6 (eta + 3 eta_t)/(2 m
+/// w) [O'Sullivan & Bray 2004, with damping]. s is the largest stiffening -F'(d)/k, at least 1, up to 50 %
+/// overlap and, of links, up to their stretch in an affine shear by `amplitude`. In the 3, 1 is of
+/// translation and 2 of rotation (r^2/I = 2/m).
 double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass,
                         double amplitude);
 
-/// Share of the stability limit that is used: a contact period then has about 20 steps.
+/// Share of the stability limit that is used as time step: a contact period then has about 20 steps.
 inline constexpr double step_share = 0.15;
 
-/// What the case wants at plates and walls once the discs are prepared; a periodic cell has none.
+/// The plates of the case once the discs are prepared; a periodic cell has none.
 Plates plates_of(const Case& c);
 
-/// The stepper of the documented model, with its friction switched on and no plates yet.
+/// The stepper of the documented model, with friction and without plates so far.
 std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const MicrogelConstants& k);
 
 }  // namespace supple

@@ -5,48 +5,49 @@
 
 namespace supple {
 
-/// A sheared slab between plates: height [m] and density, mass over area of the cell [kg/m^3]. Its shear
-/// waves, of speed c = sqrt(G'/density), resonate between plates that move against each other at the
-/// frequency c/height.
+/// A sheared slab between plates: its height [m] and density, mass over area of the cell [kg/m^3]. Between
+/// plates that move against each other, shear waves of speed c = sqrt(G'/density) resonate at the frequency
+/// c/height.
 struct Gap {
   double height = 0, density = 0;
-  double wavelengths(double storage, double frequency) const;  ///< wavelength over height
+  double wavelengths(double storage, double frequency) const;  ///< wavelength over height; G' [Pa], f [Hz]
 };
 Gap gap_of(const System<2>& system, const Units& units);
 
-/// Below this many heights a wave is taken to be near the resonance: the stress varies from plate to plate.
+/// A wavelength below this many heights counts as near the resonance: the stress then varies from plate to
+/// plate.
 inline constexpr double short_wavelength = 1.5;
 
-/// A stress series, and what it is of.
+/// A series of stresses, and which stress it is.
 struct StressSeries {
   std::string name, meaning, unit;
   const std::vector<double>& time;
   const std::vector<double>& stress;
 };
-/// Values in the group "results": storage_modulus_NAME, loss_modulus_NAME, their changes from cycle to cycle,
-/// and the harmonics.
+/// Demodulates the series and records in the group "results": storage_modulus_NAME, loss_modulus_NAME, their
+/// changes from cycle to cycle, and the harmonics.
 Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, DriftCorrection correction,
                             Recorder& recorder);
 
-/// What was found from one of several stresses of the same sample.
+/// The moduli from one of several stresses of the same sample.
 struct Estimate {
   std::string name, unit;
   Demodulation found;
 };
-/// Warns where G' or G'' of the two differ by more than 30 %, each by itself: |G*| hides a loss that one of
-/// them sees and the other does not.
+/// Warns where G' or G'' of the two estimates differ by more than 30 %. Each modulus is compared by itself,
+/// as |G*| would hide a loss that only one of them sees.
 void warn_if_apart(const Estimate& a, const Estimate& b, const std::string& why, Recorder& recorder);
 /// Warns where a modulus goes on changing from cycle to cycle.
 void warn_of_drift(const Estimate& e, Recorder& recorder);
 
-/// Values in the group "results": storage_modulus_X, loss_modulus_X, ... for X = plates (where there are
+/// Records storage_modulus_X, loss_modulus_X, ... in the group "results" for X = plates (if there are
 /// plates), virial, periodic, and the published internal, external and external_corrected. Warns where
-/// estimators differ, where cycles drift, where the jump correction is large, and near the resonance of the
+/// estimates differ, where cycles drift, where the jump correction is large, and near the resonance of the
 /// gap.
 void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
                    const Gap& gap, Recorder& recorder);
 
-/// Contacts, links and plate discs at the end.
+/// Records the numbers of contacts, links and plate discs at the end.
 void record_counts(const System<2>& system, const Evaluation<2>& evaluation, Recorder& recorder);
 
 }  // namespace supple

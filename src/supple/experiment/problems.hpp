@@ -1,4 +1,4 @@
-/// What is wrong with a case, gathered: one error tells all of it.
+/// Everything that is wrong with a case, gathered so that one error says all of it.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,10 +9,10 @@
 namespace supple {
 
 using Problems = std::vector<std::string>;
-/// Texts of what is allowed, and was probably not meant.
+/// Warnings of what is allowed but was probably not meant.
 using Doubts = std::vector<std::string>;
 
-/// An input error as text, that names the file of the case.
+/// Adds a problem with the text of an input error that names the file of the case.
 inline void add_problem(Problems& problems, const Case& c, const std::string& what, const std::string& why,
                         const std::string& to_do) {
   const std::string place = c.origin.empty() ? "" : c.origin + ": ";

@@ -1,4 +1,5 @@
-/// What happens to a prepared suspension: rest, shear gamma = A sin(2 pi f t), rest (physics section 7.2).
+/// What happens to a prepared sample in oscillatory shear: rest, shear gamma = A sin(2 pi f t) with t from
+/// its start, rest.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,8 @@
 
 namespace supple {
 
-/// A whole number of steps per period, so that a cycle closes exactly; rests and shear begin and end with a
-/// step, so that their lengths are the asked ones rounded to steps.
+/// The protocol in steps: a whole number in a period, so that a cycle closes exactly, and in the rests and
+/// the shear, whose lengths are rounded to steps.
 struct OscillatoryProtocol {
   double amplitude = 0.2;
   double frequency = 1;  ///< [1/time]
@@ -22,11 +23,12 @@ struct OscillatoryProtocol {
     return static_cast<double>(n) / static_cast<double>(steps_per_period);
   }
 
-  /// Strain at the beginning of step i, zero before and constant after the shear.
+  /// Strain at the beginning of step i; zero before the shear and constant after it.
   double strain(std::int64_t i) const {
     return amplitude * std::sin(phase(std::clamp<std::int64_t>(i - pre_steps, 0, shear_steps)));
   }
-  /// The rate at the beginning of step i, and the mean rate over it, which makes the strain exact.
+  /// The strain rate at the beginning of step i [1/time], and the mean rate over the step, which makes the
+  /// strain exact.
   ShearRates rates(std::int64_t i) const {
     const std::int64_t n = i - pre_steps;
     if (n < 0 || n > shear_steps) return {};

@@ -1,4 +1,4 @@
-/// What an experiment tells the outside world. io/ writes files and progress; tests keep it in memory.
+/// What an experiment tells the outside world. io/ makes files and progress of it; tests keep it in memory.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -17,8 +17,8 @@ struct Column {
   std::string name, unit, meaning;
 };
 
-/// A contact as files and pictures show it: i < j; elongation_back is the package's second elongation (j's
-/// own).
+/// A contact as files and pictures show it, first < second. elongation_back is the elongation that `second`
+/// keeps in the published package; elsewhere it equals elongation.
 struct ContactRow {
   std::int32_t first, second;
   ContactState state;
@@ -35,7 +35,7 @@ using BodyNumbers = std::map<std::string, std::vector<double>>;
 /// Numbers of the whole system by name: "pressure", "elastic_energy", ...
 using SystemNumbers = std::map<std::string, double>;
 
-/// The whole system at one instant, for trajectories and pictures. Values in the run's units.
+/// The whole system at one instant, for trajectories and pictures, in the units of the run.
 struct Frame {
   std::int64_t step = 0;
   double time = 0, strain = 0, strain_rate = 0;
@@ -48,13 +48,13 @@ struct Frame {
   SystemNumbers numbers;  ///< these too
 };
 
-/// Whether two frames are of the same moment: an instant is kept once, by the first that gives it.
+/// Whether two frames are of the same instant. Recorders keep each instant once, by the first frame of it.
 inline bool same_instant(const Frame& a, const Frame& b) {
   return a.step == b.step && a.time == b.time && a.position == b.position;
 }
 
-/// What a run is, written before the first step. Sites keep size and mass, so they stand here and not in
-/// frames.
+/// What stays the same in a run, written before the first step: sizes and masses of sites stand here and not
+/// in frames.
 struct RunInfo {
   Units units;
   Box<2> box;
@@ -64,27 +64,30 @@ struct RunInfo {
   std::vector<std::int32_t> body_begin;  ///< Topology::begin; empty: microgel discs
 };
 
-/// Streams that an experiment may write: "preparation" (before the protocol) and "stress" (one row per step).
+/// What an experiment calls while it runs: tables such as "preparation" and "stress" (one row per step),
+/// frames, numbers, the final state, progress and warnings.
 class Recorder {
  public:
   virtual ~Recorder() = default;
   virtual void begin(const RunInfo& info) = 0;
-  /// Declares a table; rows then come by append with the same name, as many values as columns.
+  /// Declares a table; append() with the same name then adds rows, with one value for each column.
   virtual void declare(const std::string& table, const std::vector<Column>& columns) = 0;
   virtual void append(const std::string& table, std::span<const double> row) = 0;
   virtual void frame(const Frame& frame) = 0;
-  /// A number: group is "constants" (derived parameters) or "results"; error < 0: none known.
+  /// A named number. The group is "constants" (derived parameters), "results", or one that a continuation
+  /// reads; error < 0: not known.
   virtual void value(const std::string& group, const Column& name, double value, double error = -1) = 0;
-  /// The complete state at the end (or when interrupted): what `[initial] state` continues from, bit for bit.
+  /// The complete state at the end, or where the run was interrupted: a run with `[initial] state` goes on
+  /// from it, bit for bit.
   virtual void final_state(const System<2>& system, const Evaluation<2>& evaluation) = 0;
   virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
   virtual void warning(const std::string& text) = 0;
-  /// Whether the user asked to stop (Ctrl-C): the experiment then hands over its state and throws
+  /// Whether the user asked to stop (Ctrl-C). The experiment then hands over its state and throws
   /// `interrupted`.
   virtual bool stop_requested() const { return false; }
 };
 
-/// Keeps everything in memory.
+/// A recorder that keeps everything in memory.
 class MemoryRecorder : public Recorder {
  public:
   struct Table {
@@ -123,7 +126,7 @@ class MemoryRecorder : public Recorder {
   }
   void progress(const std::string&, std::int64_t, std::int64_t) override {}
   void warning(const std::string& text) override { warnings.push_back(text); }
-  /// The value of that name, or an input error that names those that exist.
+  /// The first value of this name. Throws an input error where there is none.
   double get(const std::string& group, const std::string& name) const;
 };
 

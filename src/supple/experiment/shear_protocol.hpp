@@ -1,4 +1,4 @@
-/// The oscillation that a case asks for, of whatever is sheared.
+/// The oscillation that a case asks for, of discs or deformable particles.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,19 +12,19 @@
 
 namespace supple {
 
-/// Numbers of the user, else of the state, else defaults. The time step is at most `longest_step` and such
-/// that a period has a whole number of steps, enough to be demodulated. Input error where it shears for less
-/// than a period, or for more steps than can be counted.
+/// The protocol, with numbers from the user, else from the state, else defaults. The time step is at most
+/// `longest_step` [time] and divides a period into a whole number of steps, enough for demodulation. Throws
+/// an input error where the shear is shorter than a period or has more steps than can be counted.
 OscillatoryProtocol oscillatory_protocol(const Case& c, const InitialState* initial, double frequency,
                                          double longest_step);
 
-/// Its windows, as the demodulation needs them.
+/// The spans of rest and shear in periods, as demodulate() needs them.
 Protocol windows_of(const OscillatoryProtocol& p);
 
-/// What a run records of them, and its figure reads.
+/// The numbers of the protocol that a run records and its figure reads.
 std::vector<Derived> derived_protocol(const Protocol& p, const std::string& frequency_unit);
 
-/// Too few periods for moduli, or for their errors.
+/// Warns of too few periods for moduli, or for their errors.
 void doubt_periods(const Case& c, Doubts& doubts);
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-/// Packings of deformable particles in a sheared cell: what their experiments share.
+/// What experiments on deformable particles in a sheared cell share.
 #pragma once
 #include <functional>
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace supple {
 
-/// Particles whose contacts and steps are those of a sheared cell.
+/// `making`, with the flow, links and contact memory of a state kept (Flow::kept).
 Making sheared(Making making);
 
-/// Input error: rigid polygons cross no sheared boundary yet.
+/// Throws an input error where particles are rigid polygons, which cannot cross a sheared boundary.
 void refuse_rigid(const Packing& packing);
 
-/// Links the particles, where the case says so and they are not; records how many links and clusters.
+/// Links the particles if the case asks for it and they are not linked yet; records the numbers of links and
+/// clusters.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder);
 
-/// The particles of a packing in motion, sheared: with their laws and links, tables and account.
+/// A packing in motion in a sheared cell, with its laws, its tables and its account of energy.
 class ShearedBodies {
  public:
   ShearedBodies(const Case& c, const InitialState* initial, Packing& packing, Recorder& recorder);
@@ -27,12 +28,12 @@ class ShearedBodies {
   const BodyStressTable& table() const { return table_; }
   const std::vector<double>& lost() const { return energies_.lost(); }
 
-  /// So many steps, each at rates(i), of which one frame in so many is kept. Hands over the last good state
-  /// where it stops.
+  /// Makes `steps` steps of dt [time], step i at rates_at(i), with `damping` as a factor per step, and keeps
+  /// `frames` frames. Where it has to stop it hands over the last good state and throws.
   void move(const char* phase, std::int64_t steps, double dt, double damping, int frames,
             const std::function<ShearRates(std::int64_t)>& rates_at);
 
-  /// What the account says, and the packing at the end.
+  /// Records the results of the account, and the packing at the end.
   void finish();
 
  private:
@@ -43,7 +44,7 @@ class ShearedBodies {
   EnergyTable energies_;
 };
 
-/// `dynamics` of deformable particles with a shear rate.
+/// The experiment `dynamics` of deformable particles where the case has a shear rate.
 std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial);
 void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder);
 

@@ -9,27 +9,27 @@
 
 namespace supple {
 
-/// The packing as it is.
+/// Looks at the packing as it is (observe/soundness).
 Soundness look_at(const Packing& packing);
 
-/// Whether the run ends here: by `contact.unsound`, and always where a ring encloses no area, as nothing can
-/// be said of it.
+/// Whether the run must end: by contact.unsound, and always where a ring encloses no area, as it has no
+/// packing fraction.
 bool must_stop(const Packing& packing, const Soundness& soundness);
 
-/// The numerics error for that.
+/// The numerics error with which a run ends at such a state.
 Error unsound_error(const Soundness& soundness);
 
-/// Steps of a motion between two looks: a look costs some ten steps, and particles pass each other in
-/// hundreds.
+/// Steps of a motion between two looks. A look takes as long as some ten steps, and particles need hundreds
+/// of steps to pass each other.
 inline std::int64_t look_interval(std::int64_t steps) { return std::max<std::int64_t>(100, steps / 1000); }
 
-/// The state that was looked at last and found sound, of a packing that changes from one to the next.
+/// Keeps the last sound state of a packing that changes.
 class LastGood {
  public:
   explicit LastGood(Packing& packing) : packing_(packing), good_(packing.system) {}
 
-  /// Keeps the state. Throws unsound_error where the run must stop, with the packing back at the last
-  /// good state.
+  /// Looks at the packing and keeps its state. Where the run must stop, puts the packing back to the last
+  /// good state and throws unsound_error.
   Soundness look();
 
  private:

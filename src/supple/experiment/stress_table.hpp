@@ -12,15 +12,16 @@ namespace supple {
 /// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
 class StressTable {
  public:
-  /// with `tensors`, every component of every tensor, else the shear stresses alone; that of the plates where
-  /// the system has discs on them. The corrected external stress goes on from that of `initial`.
+  /// With `tensors`, columns are every component of every tensor, else the shear stresses alone; with plate
+  /// discs, also the stress of the plates. The corrected external stress goes on from that of `initial`.
   StressTable(Recorder& recorder, const Units& units, bool tensors, const System<2>& system,
               const InitialState* initial);
-  /// One row; the rate is that of this instant (a leapfrog's box keeps that of the step before).
+  /// Adds a row. The strain rate is that of this instant [1/time]; the box of a leapfrog has that of the step
+  /// before.
   void append(const System<2>& system, const Evaluation<2>& evaluation, double strain_rate);
 
-  /// Hands over the last state, of the instant after the last row or of the last row itself, and what a
-  /// continuation of this table needs.
+  /// Hands over the final state, at the instant of the last row or one step later, and what a continuation of
+  /// this table needs.
   void finish(const System<2>& system, const Evaluation<2>& evaluation);
 
   const std::vector<double>& time() const { return time_; }
@@ -32,7 +33,7 @@ class StressTable {
   /// Empty without plates.
   const std::vector<double>& plates() const { return plates_; }
   const std::vector<double>& pressure() const { return pressure_; }
-  /// Largest size of what was taken out of external_corrected() [Pa].
+  /// Largest |sum of jumps| that was taken out of external_corrected() [Pa].
   double most_removed() const { return jumps_.most_removed(); }
 
  private:

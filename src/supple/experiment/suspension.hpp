@@ -1,4 +1,4 @@
-/// A microgel suspension ready for its protocol, in either fidelity.
+/// A microgel suspension ready for its protocol, in the documented model or that of the published package.
 #pragma once
 #include <memory>
 
@@ -21,25 +21,26 @@ struct Suspension {
   MaterialConstants material;
 };
 
-/// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed,
-/// crosslinked and cut, relaxed again, plates in place. Progress and the table "preparation" go to the
-/// recorder. Throws a numerics error if the discs do not come to rest, and what make_* of the fidelity throw.
-/// Time is the state's own; see start_clock.
+/// Discs of the state, or at rest after preparation (docs/theory/microgel.md, Preparation; or as the package
+/// does it): relaxed, crosslinked and cut, relaxed again, plates in place. Progress and the table
+/// "preparation" go to the recorder. Throws a numerics error if the discs do not come to rest, and input
+/// errors of the model's constants. Time is that of the state; see start_clock().
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
 
 /// Records the derived numbers, and what a continuation takes over besides the final state: constants of the
-/// contact law, step and damping, the ways of the plates. `initial`: what this run started from, or null.
+/// contact law, step and damping, and whether forces on plate discs add up. `initial` is what this run
+/// started from, or null.
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder);
 
-/// The instant of `evaluation`, the stepper's last one: velocities, spins and the shear rate are of that
-/// instant, too, where a leapfrog keeps them half a step back.
+/// The frame at the instant of `evaluation`, the last one of the stepper. Velocities, spins and the shear
+/// rate are brought to that instant, where a leapfrog keeps those of half a step before.
 Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates);
 
-/// t and the number of steps begin at 0, unless the case goes on with those of its state.
+/// Sets time and step to 0, unless the case goes on with those of its state (initial.keep_time).
 void start_clock(System<2>& system, const Case& c);
 
-/// The cell of a case, in these units.
+/// The cell of the case, in `units`.
 Box<2> make_box(const Case& c, const Units& units);
 
 /// How the case makes crosslinked particles.

@@ -1,5 +1,5 @@
-/// Which keys of a case do something: what its experiment declares to use (experiments.cpp), and what a key
-/// needs of others.
+/// Which keys of a case have an effect: those that its experiment declares to use, if what each of them needs
+/// is there.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,14 +10,15 @@
 
 namespace supple {
 
-/// "section.*", "section.key", and "-section.key" to take one out again; the last that fits decides.
+/// Keys that an experiment uses: "section.*", "section.key", and "-section.key" to take one out again. The
+/// last entry that fits a key decides.
 using UsedKeys = std::vector<std::string_view>;
 /// `common`, then `more`.
 UsedKeys with(UsedKeys common, const UsedKeys& more);
 
-/// What a key needs besides an experiment that uses it.
+/// What keys need besides an experiment that uses them.
 struct Need {
-  /// Of the experiment's physics, of a state to start from, of another key.
+  /// A need of the physics, of a state to start from, or of the value of another key.
   enum class Of { physics, start, value };
   std::string_view keys;  ///< names with spaces between
   Of of;
@@ -25,18 +26,18 @@ struct Need {
   std::string_view needed;
 };
 
-/// Whether the case's experiment uses the key ("section.key"; "seed" above any section) for its matter and
-/// physics.
+/// Whether the case's experiment, on its particles and with its physics, uses the key ("section.key"; "seed"
+/// above any section).
 bool uses(const Case& c, std::string_view key);
 
-/// The experiments that use the key, of discs or of deformable particles.
+/// Names of the experiments that use the key, on any particles.
 std::vector<std::string> users_of(std::string_view key);
 
-/// An input error, as text, for each key that was set to something else than its default and that the
-/// experiment does not use, or not with what it starts from.
+/// The text of an input error for each key that has another value than its default and that the experiment
+/// does not use, or not with what it starts from.
 std::vector<std::string> find_useless_keys(const Case& c, Start start);
 
-/// A warning for each key that was given and has no effect as another key has the value that it has; in
+/// A warning for each key that was given and has no effect because of the value of another key; in
 /// `preparation` also for keys of the runs that start from it.
 std::vector<std::string> find_idle_keys(const Case& c);
 
