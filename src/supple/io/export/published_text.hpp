@@ -8,19 +8,16 @@
 
 namespace supple {
 
-/// Writes the run: its case as the package's function call, its constants and results, and the table "stress"
-/// where it has tensors. Same labels, order and number style as the package; lengths in micrometre, masses in
-/// mg.
+/// Writes the case as the package's function call, constants and results, and the table "stress" if it has
+/// tensors, with the labels, order and number style of the package; lengths in micrometre, masses in mg.
 ///
 /// Needs of the run, besides case and discs:
-///   constants (SI): mean_mass, link_spring_constant, time_constant, frequency, time_step, damping_factor;
-///   where links were
-///                   removed at random: removed_link_fraction
+///   constants (SI): mean_mass, link_spring_constant, time_constant, frequency, time_step, damping_factor,
+///     and removed_link_fraction where links were removed at random
 ///   material (run's units): k, nu, k_t, nu_t, mu, permanent_ratio_central, permanent_ratio_tangential
 ///   results: in_phase_stress_internal, out_of_phase_stress_internal, storage_modulus_internal,
-///   loss_modulus_internal,
-///            storage_modulus_external, loss_modulus_external
-/// Throws a file error where one is missing (a run that did not finish has no results).
+///     loss_modulus_internal, storage_modulus_external, loss_modulus_external
+/// Throws a file error where one of them is missing (a run that did not finish has no results).
 void export_published_text(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 /// The package's name for the file:

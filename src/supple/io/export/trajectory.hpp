@@ -1,4 +1,4 @@
-/// All frames of a run for other programs.
+/// Writes all frames of a run for other programs.
 #pragma once
 #include <string>
 
@@ -12,17 +12,17 @@ namespace supple {
 /// and file errors.
 void export_xyz(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
-/// Every frame as VTK PolyData, FOLDER/frame0000000.vtp, and the collection `path` (.pvd) that gives their
-/// times; the folder is that of frame_folder(path); with Existing::replace nothing of an older export stays
-/// in it. An instant is written once. The time is that of the run or, where it does not go on from frame to
-/// frame, the number of the frame. Throws an input error where the run has no frames, and file errors.
+/// Every frame as VTK PolyData in frame_folder(path), frame0000000.vtp and so on, and the collection `path`
+/// (.pvd) that gives their times. With Existing::replace nothing of an older export stays in the folder. Each
+/// instant is written once. The time is that of the run or, where it does not rise from frame to frame, the
+/// number of the frame. Throws an input error where the run has no frames, and file errors.
 void export_vtp(const RunFile& run, const std::string& path, Existing existing = Existing::refuse,
                 Cells cells = Cells::polygons);
 
-/// "out/a.pvd": "out/a_frames".
+/// The folder of the frames of a collection: "out/a_frames" for "out/a.pvd".
 std::string frame_folder(const std::string& path);
 
-/// Throws a file error where export_vtp could not write.
+/// Throws the file error that export_vtp() would throw before it writes.
 void check_can_export_vtp(const std::string& path, Existing existing);
 
 }  // namespace supple

@@ -7,26 +7,25 @@
 
 namespace supple {
 
-/// One file of extended XYZ with one frame for each append(); it has its name after commit().
+/// A file of extended XYZ with one frame for each append(); it appears with commit().
 ///
-/// * One line for each site: `type` (disc or polygon, numbered by size in the order of the bodies: disc1,
-/// polygon2; a
-///   `species` would have to be a chemical symbol), `pos` (z = 0), `radius`, `id` (site, 0-based), `molecule`
-///   (body, 0-based), then `of_sites`, then `of_bodies`; velocities are named `velo`, spins and torques are
-///   vectors along z. Numbers in as few digits as read back to the same double.
-/// * `Lattice` is the leaning cell that pictures draw: its strain wrapped to the nearest of equal lattices
-///   (drawn_strain), `Origin` at its lower left, so that it leans about mid-height. Its third vector, not
-///   periodic, is as long as the thickest site; `Time` is the time; numbers of the whole follow by name.
-/// * Bodies stay whole, so some stick out of the cell: `placement` says which image. To fill the cell
-/// instead, apply
-///   "Wrap at periodic boundaries" in OVITO.
+/// * One line for each site: `type` (disc1, polygon2, ...: one type for bodies of equal radius and number of
+///   sites; a `species` would have to be a chemical symbol), `pos` (z = 0), `radius`, `id` (site, 0-based),
+///   `molecule` (body, 0-based), then `of_sites`, then `of_bodies` of the scene. Velocities are named `velo`;
+///   spins and torques are vectors along z. Numbers have as few digits as read back to the same double.
+/// * `Lattice` is the leaning cell that pictures draw, with the smallest of the strains that give the same
+///   lattice (drawn_strain); `Origin` is its lower left corner, placed so that it leans about mid-height. The
+///   third vector, not periodic, is as long as the thickest site. `Time` is the time; the numbers of the
+///   whole system follow by name.
+/// * Bodies stay whole, so some stick out of the cell; `placement` says which image is written. To fill the
+///   cell instead, apply "Wrap at periodic boundaries" in OVITO.
 class XyzFile {
  public:
   explicit XyzFile(const std::string& path, Existing existing = Existing::refuse,
                    Placement placement = Placement::in_cell);
 
-  /// Throws an input error where the arrays do not fit together, take one of the names above or a name is not
-  /// of letters, digits and _, and file errors.
+  /// Adds a frame. Throws an input error where the arrays do not fit together, have one of the names above,
+  /// or have a name of other characters than letters, digits and _; and file errors.
   void append(const Scene& scene);
   void commit();
 

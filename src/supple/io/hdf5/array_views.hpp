@@ -1,4 +1,4 @@
-/// The model's arrays of small things as flat arrays of numbers, which is how files hold them.
+/// Arrays of vectors, tuples and enums as flat arrays of numbers, and back: files hold the flat ones.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ std::span<const std::int32_t> flat(const std::vector<std::array<std::int32_t, N>
   return {reinterpret_cast<const std::int32_t*>(tuples.data()), N * tuples.size()};
 }
 
-/// An array of enums of one byte.
+/// The numbers of an array of enums of one byte.
 template <class Enum>
 std::span<const std::uint8_t> codes(const std::vector<Enum>& values) {
   static_assert(std::is_same_v<std::underlying_type_t<Enum>, std::uint8_t>);

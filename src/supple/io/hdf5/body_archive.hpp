@@ -10,22 +10,22 @@
 
 namespace supple {
 
-/// Throws a file error that names the group where a state is not `good`.
+/// Throws a file error that names the group and says `what` is wrong, unless `good`.
 void expect_state(bool good, const h5::Group& group, const std::string& what);
 
 template <int Dim>
 void write_topology(h5::Group group, const Topology<Dim>& topology);
-/// Throws a file error where bodies, facets and hinges do not fit together.
+/// Throws a file error where bodies, facets and hinges do not fit together or the sites.
 template <int Dim>
 Topology<Dim> read_topology(const h5::Group& group, int sites);
 
 void write_shape(h5::Group group, const Shape& shape);
-/// Throws a file error where the preferred shapes do not fit the bodies.
+/// Throws a file error where the preferred shapes do not fit the topology.
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
 
 void write_rigid_bodies(h5::Group group, const RigidBodies& rigid);
-/// Throws a file error where they do not fit the bodies.
+/// Throws a file error where the rigid bodies do not fit the topology.
 template <int Dim>
 RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);
 

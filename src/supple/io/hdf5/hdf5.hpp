@@ -1,5 +1,5 @@
-/// The HDF5 C library, owned: ids that close themselves, and errors that say file, object and reason.
-/// Everything here throws a file error (exit code 4); HDF5 itself prints nothing.
+/// The HDF5 C library with ids that close themselves, and errors that name file, object and reason.
+/// Everything here may throw a file error (exit code 4); HDF5 itself prints nothing.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@ namespace supple::h5 {
 /// Lengths of an array, outermost first.
 using Shape = std::vector<std::uint64_t>;
 
-/// An open file, group or dataset; closed when it goes. Attributes hang on any of them.
+/// An open group or dataset, closed by the destructor. Each of them may have attributes.
 class Object {
  public:
   Object() = default;
@@ -44,9 +44,9 @@ class Object {
   std::int64_t id_ = -1;
 };
 
-/// A group. Element types T: double, std::int32_t, std::int64_t, std::uint8_t, std::string (UTF-8; written
-/// with a fixed length, which every reader knows; read with any). What is read is checked first: no array
-/// larger than its file can hold, no text that is not UTF-8.
+/// A group. Element types T are double, std::int32_t, std::int64_t, std::uint8_t and std::string (UTF-8;
+/// written with a fixed length, which every reader knows; read with any). What is read is checked: no array
+/// is larger than its file can hold, every text is UTF-8.
 class Group : public Object {
  public:
   using Object::Object;
@@ -60,44 +60,44 @@ class Group : public Object {
   Group open_group(const std::string& name) const;
   Object open_dataset(const std::string& name) const;
   void remove(const std::string& name);
-  /// Copies the member of `from` with everything below it.
+  /// Copies the member `name` of `from` with everything below it.
   void copy(const Group& from, const std::string& name);
   /// Copies all attributes of `from`.
   void copy_attributes(const Object& from);
 
-  /// An array; an empty shape stands for one dimension with all values. What is small stands compact in the
-  /// header of the dataset, the rest in compressed pieces with a checksum each.
+  /// Writes an array; an empty shape means one dimension with all values. A small array is kept in the header
+  /// of its dataset, a larger one in compressed pieces with a checksum each.
   template <class T>
   Object write(const std::string& name, std::span<const T> values, const Shape& shape = {});
   template <class T>
   Object write(const std::string& name, const std::vector<T>& values, const Shape& shape = {}) {
     return write(name, std::span<const T>(values), shape);
   }
-  /// One number or text.
+  /// Writes one number or text.
   template <class T>
   Object write_scalar(const std::string& name, const T& value);
 
-  /// Creates `name` like that array of numbers in `from`, its attributes too, for `rows` rows, to be filled
-  /// by write_rows_of.
+  /// Creates the array `name` with the type, row shape and attributes of that in `from`, for `rows` rows,
+  /// which write_rows_of() fills.
   Object create_like(const Group& from, const std::string& name, std::uint64_t rows);
-  /// Writes all rows of that array in `from`, whatever their type, from row `first` on.
+  /// Writes all rows of the array `name` of `from` into that of this group, from row `first` on.
   void write_rows_of(const Group& from, const std::string& name, std::uint64_t first);
 
   Shape shape(const std::string& name) const;
-  /// All values, row after row. The type is converted where the file holds another number type.
+  /// All values, row after row, converted where the file holds another type of number.
   template <class T>
   std::vector<T> read(const std::string& name) const;
   template <class T>
   T read_scalar(const std::string& name) const;
-  /// Rows [first, first + count) of the first dimension.
+  /// The values in rows [first, first + count) of the first dimension.
   template <class T>
   std::vector<T> read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const;
 };
 
-/// The root group of a new file in memory, `name` for errors: HDF5 itself does not survive a disk that is
-/// full. The file goes with its last open object.
+/// The root group of a new file in memory; errors call it `name`. It is in memory because HDF5 does not
+/// survive a full disk. The file is gone with its last open object.
 Group create_file(const std::string& name);
-/// Writes the whole file that `root` belongs to, complete or not at all.
+/// Writes the file that `root` belongs to, completely or not at all. Throws a file error as NewFile does.
 void save(Group& root, const std::string& path, Existing existing = Existing::refuse);
 /// The root group of a file, read only. The error tells a missing, unreadable, foreign and truncated file
 /// apart.

@@ -15,23 +15,23 @@ namespace supple::h5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// The file error after a call that failed: "cannot <action> <where>", why, what to do, and at the end the
-/// most specific words of HDF5 itself in brackets.
+/// The file error after a call of HDF5 that failed: "cannot <action> <where>", why, what to do, and at the
+/// end in brackets the most specific message of HDF5.
 Error fault(const std::string& action, const std::string& where);
 
-/// Passes a good result through; a negative one becomes an error.
+/// Returns a good result; throws fault() for a negative one.
 template <class Result>
 Result checked(Result result, const std::string& action, const std::string& where) {
   if (result < 0) throw fault(action, where);
   return result;
 }
 
-/// Any id that only lives within a function (space, type, property list, attribute).
+/// Owns an id (of a space, type, property list or attribute); throws fault() where it is negative.
 inline Object own(hid_t id, const std::string& action, const std::string& where) {
   return Object(checked(id, action, where));
 }
 
-/// The type of numbers in memory.
+/// The HDF5 type of numbers T in memory.
 template <class T>
 Object type_of() {
   if constexpr (std::is_same_v<T, double>) return Object(H5Tcopy(H5T_NATIVE_DOUBLE));
@@ -51,7 +51,7 @@ inline Object space_of(const Shape& shape) {
 
 Shape shape_of(hid_t space, const std::string& where);
 
-/// Values as HDF5 takes them: their type, and where they are. Texts become lines of equal length, closed by
+/// Values as HDF5 takes them: their type and address. Texts become pieces of equal length, filled up with
 /// zeros.
 template <class T>
 struct Buffer {
@@ -67,15 +67,15 @@ struct Buffer<std::string> {
   const void* data;
 };
 
-/// How many values a shape means. Throws a file error where the file of `object` cannot hold so many of this
-/// type.
+/// Number of values of this shape. Throws a file error where the file of `object` cannot hold that many of
+/// this type.
 std::size_t believable_count(const Object& object, hid_t type, const Shape& shape, const std::string& where);
-/// Texts of a type of the file, `count` of them, by `read`.
+/// Reads `count` texts, of the type `file_type` of a file, by `read`.
 using ReadTexts = std::function<void(hid_t type, void* to)>;
 std::vector<std::string> read_texts(hid_t file_type, std::size_t count, const std::string& where,
                                     const ReadTexts& read);
 
-/// Values of this shape from `object` of a file, by `read(memory type, where to)`.
+/// Reads the values of `object`, of this shape and type in the file, by read(type in memory, address).
 template <class T, class Read>
 std::vector<T> read_values(const Object& object, const Object& file_type, const Shape& shape,
                            const std::string& where, Read&& read) {

@@ -11,15 +11,15 @@ void write_box(h5::Group& group, const Box<Dim>& box);
 template <int Dim>
 Box<Dim> read_box(const h5::Group& group);
 
-/// Box, sites, topology, preferred shapes, pairs with their memory, time and step. What only some systems
-/// have (shape, floor_contact) is left out where it is empty.
+/// Writes box, sites, topology, preferred shapes, rigid bodies, pairs, contacts and links with their memory,
+/// time, lag and step. Parts that only some systems have are left out where they are empty.
 template <int Dim>
 void write_system(h5::Group& group, const System<Dim>& system);
 /// Throws a file error where arrays are missing or do not fit together.
 template <int Dim>
 System<Dim> read_system(const h5::Group& group);
 
-/// Forces, torques, energies and virial; the forces of pairs are not kept, they follow from the system.
+/// Writes forces, torques, energies and virial, but not the forces of pairs, which follow from the system.
 template <int Dim>
 void write_evaluation(h5::Group& group, const Evaluation<Dim>& evaluation);
 template <int Dim>

@@ -1,4 +1,4 @@
-/// What contacts and links of bodies remember, in files.
+/// What contacts and links of bodies remember, in an HDF5 group.
 #pragma once
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace supple {
 
 void write_touches(h5::Group group, const TouchTable& touches);
-/// File error where the group holds contacts of sites or bodies that do not exist, or out of order.
+/// Throws a file error where a contact is of sites or bodies that do not exist, or out of order.
 TouchTable read_touches(const h5::Group& group, int sites, int bodies);
 
 void write_links(h5::Group group, const std::vector<Link>& links);

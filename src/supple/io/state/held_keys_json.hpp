@@ -5,11 +5,11 @@
 
 namespace supple {
 
-/// Name of the object of those keys: {"contact.kind": "smooth", ...}, values in SI as in a case.
+/// Name of the object that holds the keys: {"contact.kind": "smooth", ...}, values in the units of a case.
 inline constexpr auto held_keys_name = "case";
 
-/// Nothing where `root` has no such object. File error on keys that no state holds, and on values that a case
-/// could not have.
+/// The keys in that object of `root`; empty where there is none. Throws a file error on keys that no state
+/// holds, and on values that a case could not have.
 HeldKeys read_held_keys(const JsonNode& root);
 
 Json held_keys_json(const HeldKeys& keys);

@@ -1,4 +1,5 @@
-/// JSON files that are read with errors that say where. For .cpp files only: it includes the JSON library.
+/// Reading of JSON files, with errors that say where in the file. For .cpp files only, as it includes the
+/// JSON library.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,12 @@ namespace supple {
 
 using Json = nlohmann::json;
 
-/// The whole file. Throws a file error where it cannot be read, or is not JSON: `kind` says what was
-/// expected, "a state".
+/// The whole file. Throws a file error where it cannot be read or is not JSON; `kind` names what was
+/// expected, such as "a state".
 Json parse_json(const std::string& path, const std::string& kind);
 
-/// A value of a file and where it stands, for errors ("state.json: initial.spheres[3].m"). Every reader
-/// throws a file error that says where and what.
+/// A value of a file, and where it stands ("state.json: initial.spheres[3].m"). Every function that reads it
+/// throws a file error that says where, and what is wrong.
 class JsonNode {
  public:
   JsonNode(const Json& value, std::string path) : value_(value), where_(std::move(path)), separator_(": ") {}

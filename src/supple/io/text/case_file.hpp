@@ -7,20 +7,20 @@
 
 namespace supple {
 
-/// The case in the file `path`, with `overrides` ("section.key=value", as of --set) on top. A number with a
-/// unit may be a string such as "500 um"; in overrides, strings need no quotes. A relative path in the file
-/// is relative to the file's folder. Sets Case::given and Case::origin. Checks every key by itself;
-/// supple::check does the rest. Throws an input error that lists everything wrong, one "file:line:column:
-/// what (why); what to do" a line, or a file error where the file cannot be read.
+/// The case in the file `path`, with `overrides` ("section.key=value", as --set has them) on top. A number
+/// with a unit may be a string such as "500 um"; in overrides, strings need no quotes. A relative path in the
+/// file starts from the folder of the file. Sets Case::given and Case::origin. Checks every key by itself;
+/// supple::check() checks the rest. Throws an input error with a line "file:line:column: what (why); what to
+/// do" for everything that is wrong, or a file error where the file cannot be read.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The same of text that is in memory; `name` stands for the file in errors and for relative paths.
+/// The same for text in memory; `name` stands for the file, in errors and for relative paths.
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<std::string>& overrides = {});
 
 enum class CaseStyle {
   all,  ///< every key with its meaning; keys that were not given are commented out, holding their default
-  commented,  ///< the same of the keys that the experiment uses
+  commented,  ///< the same for the keys that the experiment uses
   resolved    ///< every key of its sections with its value, nothing else: what a run keeps
 };
 /// The case as TOML. Numbers are the shortest that read back as the same double.

@@ -11,7 +11,7 @@ void append_integer(std::string& text, std::int64_t x);
 
 /// The double as Python's str() writes a float: 150.0, 0.1, 1e-06, 1e+16.
 std::string python_float(double x);
-/// The same, but whole numbers as Python writes an int: 150.
+/// The same, but a whole number as Python writes an int: 150.
 std::string python_number(double x);
 
 }  // namespace supple

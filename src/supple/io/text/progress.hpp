@@ -8,8 +8,8 @@
 
 namespace supple {
 
-/// Shows phase, share done, rate and time left. On a terminal one line is redrawn, a few times a second;
-/// elsewhere lines are added, one at the start of a phase and then one for every tenth of it or every 30 s.
+/// Shows phase, share done, rate and time left. In the style `bar` one line is redrawn a few times a second;
+/// in the style `lines` a line is added at the start of a phase and then for every tenth of it or every 30 s.
 class ProgressLine {
  public:
   enum class Style { bar, lines };
@@ -17,10 +17,10 @@ class ProgressLine {
 
   ProgressLine(std::ostream& out, Style style, Clock clock = seconds_now);
 
-  /// `total` 0: unknown. What `phase` says after ": " is of the moment ("jam: phi = 0.81"): it is shown, and
-  /// the phase goes on.
+  /// Shows that `done` of `total` is done; a total of 0 is unknown. Text after ": " in `phase`, as in "jam:
+  /// phi = 0.81", is shown but is no part of the name: when it changes the phase goes on.
   void update(const std::string& phase, std::int64_t done, std::int64_t total);
-  /// A line of its own, above the bar.
+  /// Writes a line of its own, above the bar.
   void message(const std::string& text);
   /// Ends the line that is being redrawn.
   void finish();
@@ -35,7 +35,7 @@ class ProgressLine {
   std::ostream& out_;
   Style style_;
   Clock clock_;
-  std::string phase_, shown_;  ///< its name, and with what it says of the moment
+  std::string phase_, shown_;  ///< its name; the name with the text after it
   double phase_start_ = 0, last_shown_ = 0;
   std::int64_t first_done_ = 0;
   int tenths_ = -1;
