@@ -15,25 +15,25 @@ class RunFile;
 
 namespace supple::command {
 
-/// "out/a.h5" and "_cell.png": "out/a_cell.png".
+/// The name of a file beside a run: "out/a_cell.png" for "out/a.h5" and "_cell.png".
 std::string beside(const std::string& run, const std::string& ending);
-/// By what the figure of the case shows: _stress.png, _pressure.png, ...
+/// The name of the figure, with an ending for what it shows: _stress.png, _pressure.png, ...
 std::string plot_path(const std::string& run, const Case& c);
 std::string snapshot_path(const std::string& run);
-/// `to`: csv, text, state, xyz, vtp, packing.
+/// The name of an export; `to` as in export_run().
 std::string export_path(const std::string& run, const std::string& to);
 
-/// Throws where what is made of a run may not be written to `file`: it is there, or it is the run itself.
+/// Throws a file error where `file`, made from a run, may not be written: it exists, or it is the run itself.
 void check_output_of(const std::string& run_path, const std::string& file, Existing existing);
 
 enum class Warnings { shown, hidden };
-/// What `show` prints of a run, or its JSON, which always has the warnings.
+/// What `show` prints of a run, as text or as JSON; the JSON always has the warnings.
 std::string summarize(const RunFile& run, Format format, Warnings warnings);
 
-/// The state that [initial] names, if it names one.
+/// Reads the state or packing that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
 
-/// A case that has adopted what its state holds, and that state, if it names one.
+/// A case that has adopted what its state holds, and that state, if it starts from one.
 struct LoadedCase {
   Case c;
   std::optional<InitialState> initial;
@@ -41,7 +41,7 @@ struct LoadedCase {
 /// Reads the case, applies --set and --threads, takes over what the state holds, and checks it.
 LoadedCase load_case(const CaseChoice& choice);
 
-/// Derived numbers; errors name the case.
+/// The derived numbers of the case; errors name its file.
 std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState>& initial);
 
 }  // namespace supple::command

@@ -1,4 +1,4 @@
-/// What was meant by a command line that cannot be read.
+/// Help, and errors that say what was meant by a command line that cannot be read.
 #pragma once
 #include <optional>
 #include <string>
@@ -14,16 +14,18 @@ class ParseError;
 namespace supple::command {
 
 /// The help that `supple help` or `supple help COMMAND` asks for; nothing where the first word is another
-/// command of `app`, or an option. Throws an input error where it is neither.
+/// command of `app` or an option. Throws an input error where it is none of these.
 std::optional<std::string> help_asked_for(const CLI::App& app, const std::vector<std::string>& words);
 
-/// The error that says what is wrong with the words that `app` could not read, and what comes nearest.
+/// The input error that says what is wrong with a command line that `app` could not read, and what comes
+/// nearest to it.
 Error explain(const CLI::App& app, const CLI::ParseError& e);
 
-/// The whole number that an option got, written in digits alone. Throws an input error that names the option.
+/// The value of an option that must be a whole number from `least` to `most`, in digits alone. Throws an
+/// input error that names the option where it is not.
 int whole_number(const std::string& option, const std::string& text, int least, int most);
 
-/// Throws an input error where an option got another value than these.
+/// Throws an input error where the value of an option is not one of `choices`.
 void check_choice(const std::string& option, const std::string& value,
                   const std::vector<std::string>& choices);
 
