@@ -27,12 +27,12 @@ inline std::string read_text(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// An empty folder in which commands run; gone at the end of the test.
+/// An empty folder in which commands run; it is removed at the end of the test.
 class CommandTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = test->name();  // that of a parameter stands behind a slash
+    std::string name = test->name();  // the name of a parameter follows a slash
     std::replace(name.begin(), name.end(), '/', '_');
     folder_ = std::filesystem::temp_directory_path() / ("supple_" + name + "_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_ / "work");
@@ -42,8 +42,7 @@ class CommandTest : public testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  /// `supple ARGUMENTS` with the test's folder as the current one. Given a `device`, stdout goes there,
-  /// unread.
+  /// Runs `supple ARGUMENTS` in the folder of the test. With a `device`, stdout goes there and is not read.
   Outcome supple(const std::string& arguments, const std::string& device = "") {
     const std::string out = device.empty() ? (folder_ / "out").string() : device,
                       err = (folder_ / "err").string();
@@ -56,7 +55,7 @@ class CommandTest : public testing::Test {
   std::filesystem::path path(const std::string& name) const { return folder_ / "work" / name; }
   void write(const std::string& name, const std::string& text) { std::ofstream(path(name)) << text; }
   bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
-  /// Number of files and folders that commands left.
+  /// Number of files and folders that commands left in the folder.
   int entries() const {
     return static_cast<int>(std::distance(std::filesystem::directory_iterator(path("")), {}));
   }
@@ -68,7 +67,7 @@ class CommandTest : public testing::Test {
           "[output]\nframes = 4\nplot = false\nsnapshot = false\n");
   }
 
-  /// Root may write anywhere, so commands of a test of permissions run as somebody else.
+  /// Root may write anywhere, so tests of permissions run their commands as another user.
   void run_as_nobody() { prefix_ = "setpriv --reuid=65534 --regid=65534 --clear-groups "; }
 
  private:

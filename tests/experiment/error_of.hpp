@@ -1,4 +1,4 @@
-/// What check() says of a case.
+/// The error with which check() refuses a case.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// A small made-up run of three bodies, for tests of what is made of such runs.
+/// A small made-up run of three bodies, for tests of pictures and exports.
 #pragma once
 #include <cmath>
 #include <string>
@@ -22,7 +22,7 @@ inline RunInfo body_info() {
   return info;
 }
 
-/// Frame k: everything k/10 further to the right, in a cell k/4 lower.
+/// Frame k: everything is k/10 further to the right, in a cell lower by k/4.
 inline Frame body_frame(int k) {
   Frame frame;
   frame.step = k;

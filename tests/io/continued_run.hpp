@@ -24,8 +24,8 @@ class ContinuedRun : public TemporaryFolder {
     return name.ends_with("_packing.json") ? as_initial(read_packing_json(in_folder(name)))
                                            : read_state(in_folder(name));
   }
-  /// Runs the case from `state` (a name of this folder; empty: from nothing) into `name`, as the command
-  /// does.
+  /// Runs the case from `state` (a file of this folder; empty: from nothing) into the file `name`, as the
+  /// command does.
   void record(const std::string& name, Case c, const std::string& state = "") const {
     std::optional<InitialState> initial;
     if (!state.empty()) initial = load(state);
@@ -34,7 +34,7 @@ class ContinuedRun : public TemporaryFolder {
     run(c, from, recorder);
     recorder.finish("complete");
   }
-  /// The JSON of a run beside it; its name.
+  /// Writes the JSON of a run beside it, and returns the name.
   std::string exported(const std::string& name) const {
     const InitialState state = load(name);
     const bool bodies = !state.system.topology.begin.empty();
@@ -43,7 +43,7 @@ class ContinuedRun : public TemporaryFolder {
     else write_state_json(state, in_folder(json), Existing::replace);
     return json;
   }
-  /// The error of deriving this case from `state`; empty where there is none.
+  /// The error of derive() for this case and `state`; empty where there is none.
   std::string error_from(Case c, const std::string& state) const {
     (state.ends_with("_packing.json") ? c.initial.packing : c.initial.state) = state;
     resolve_family(c);

@@ -1,4 +1,4 @@
-/// How often something stands in a file.
+/// How often a text stands in another.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
-/// HDF5 files with one thing in them that cannot be: made with HDF5's own calls, so that the file itself is
-/// sound.
+/// HDF5 files with one impossible thing in them, made with HDF5's own calls, so that the file is sound as
+/// HDF5.
 #pragma once
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -24,7 +24,7 @@ inline std::vector<std::string> datasets_of(const std::string& path) {
   return out;
 }
 
-/// What is done to a dataset. Numbers: of one element, chosen by the seed.
+/// What is done to a dataset; a change of numbers is of one element, which the seed chooses.
 enum class Damage {
   removed,
   shorter,
@@ -65,7 +65,7 @@ class DamagedDataset {
   }
   ~DamagedDataset() { H5Tclose(type_); }
 
-  /// False where this damage means nothing for such values.
+  /// False where this damage cannot be done to such values.
   bool apply(Damage damage, std::uint64_t seed) {
     switch (damage) {
       case Damage::removed: return H5Ldelete(file_, name_.c_str(), H5P_DEFAULT) >= 0;
@@ -150,7 +150,7 @@ class DamagedDataset {
     H5Dclose(set);
     return any;
   }
-  /// Writes shape and values anew; attributes stay behind, as far as anybody asks for them: unit and meaning.
+  /// Writes shape and values anew, with the attributes unit and meaning that readers ask for.
   bool replace() {
     const hid_t old = H5Dopen2(file_, name_.c_str(), H5P_DEFAULT);
     const hid_t space = H5Screate_simple(static_cast<int>(shape_.size()), shape_.data(), nullptr);
@@ -192,7 +192,7 @@ class DamagedDataset {
   std::vector<char> values_;
 };
 
-/// Damages the dataset `name` of a file; false where this damage means nothing for it.
+/// Damages the dataset `name` of a file; false where this damage cannot be done to it.
 inline bool damage_dataset(const std::string& path, const std::string& name, Damage damage,
                            std::uint64_t seed) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);

@@ -42,7 +42,8 @@ inline void write_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
-/// The message of the supple::Error that `act` throws, whose kind must be `file`; empty where it throws none.
+/// The message of the supple::Error that `act` throws; its kind must be `file`. Empty where `act` throws
+/// none.
 template <class Act>
 std::string file_error_of(Act&& act) {
   try {

@@ -97,7 +97,7 @@ inline System<2> reference_system(const nlohmann::json& params, const nlohmann::
   return system;
 }
 
-/// Rate of the reference's oscillation, from its first instant.
+/// Strain rate of the oscillation in a reference trajectory, by its numbers at the first instant.
 inline double reference_rate(const nlohmann::json& rate, double time) {
   const double two_pi_f = 2 * 3.141592653589793 * static_cast<double>(rate["frequency"]);
   return static_cast<double>(rate["amplitude"]) * std::cos(two_pi_f * time) * two_pi_f;

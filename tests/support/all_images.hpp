@@ -1,4 +1,5 @@
-/// What contacts must give in a periodic cell: the bodies with all their images, side by side in the open.
+/// The reference for contacts in a periodic cell: the bodies with all their images, side by side in an open
+/// cell.
 #pragma once
 #include <cmath>
 

@@ -1,4 +1,4 @@
-/// What must hold for a whole force field of bodies: the shared harness, one storey above the terms.
+/// What must hold for a whole force field of bodies; term_check.hpp is the same for single terms.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace supple::testing {
 
 /// Checks forces and Hessian against central differences of energy and forces, the virial against
-/// -dU/d(strain) of sites and cell together, no net force (a periodic cell), and forces with and without
-/// energies.
+/// -dU/d(strain) of sites and cell strained together, that there is no net force (in a periodic cell), and
+/// that forces are the same with and without energies.
 class FieldCheck {
  public:
   FieldCheck(ForceField& field, System<2>& system, double step = 1e-6, double tolerance = 1e-7)
@@ -76,8 +76,9 @@ class FieldCheck {
     }
   }
 
-  /// Strains the cell with everything in it: x += e_ij x_j. A cell has lengths and shear along the flow, so
-  /// that only these three strains can be made; the fourth component must equal the third.
+  /// Strains the cell with everything in it: x_i += e_ij x_j. A cell has two lengths and a shear along the
+  /// flow, so that only these three strains can be made; the fourth component of the virial must equal the
+  /// third.
   void check_virial() {
     const std::vector<Vec2> x = system_.state.position;
     const Box<2> box = system_.box;

@@ -9,7 +9,7 @@
 
 namespace supple::testing {
 
-/// Rough contacts and shape energy.
+/// A force field of rough contacts and shape energy.
 inline ForceField shell_field() { return polygon_field(std::make_shared<RoughContacts>(Harmonic{1, true})); }
 
 /// Gives every site a random velocity, every component up to `speed`, and rigid bodies one of their own.
@@ -22,8 +22,8 @@ inline void heat(System<2>& system, double speed) {
   place_sites(system);
 }
 
-/// Rough shells at rest in a sheared periodic cell, where neighbours touch, then heated. The first `rigid`
-/// with even numbers are rigid.
+/// Rough shells that touch in a sheared periodic cell, damped for 200 steps and then given velocities (heat).
+/// The bodies 0, 2, ... are rigid, `rigid` of them.
 inline System<2> warm_shells(int bodies, int rigid = 0, double speed = 0.1) {
   System<2> system = random_polygons({.bodies = bodies, .jitter = 0});
   for (int r = 0; r < rigid; ++r) make_rigid(system, 2 * r);
@@ -40,7 +40,7 @@ inline double total_energy(BodyDynamics& dynamics, System<2>& system) {
   return dynamics.evaluate(system, Detail::energies).energy.stored() + kinetic_energy(system);
 }
 
-/// Angular momentum about the origin of sites [begin, end); end -1: of all.
+/// Angular momentum of the sites [begin, end) about the origin; with end = -1, of all from begin on.
 inline double angular_momentum(const System<2>& system, int begin = 0, int end = -1) {
   double sum = 0;
   for (int i = begin; i < (end < 0 ? system.state.size() : end); ++i)
@@ -48,7 +48,7 @@ inline double angular_momentum(const System<2>& system, int begin = 0, int end =
   return sum;
 }
 
-/// Largest distance between vectors of the same place.
+/// Largest |a_i - b_i|.
 inline double largest(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, norm(a[i] - b[i]));

@@ -15,8 +15,8 @@ inline void add_entry(Triplets& list, int i, int j, double value) {
   list.emplace_back(std::max(i, j), std::min(i, j), value);
 }
 
-/// Couples two points of the plane with coordinates x[2a], x[2b] at separation d = x_b - x_a: energy of |d|
-/// with first and second derivatives e1, e2.
+/// Adds the second derivatives of an energy e(|d|) of two points a and b of the plane, d = x_b - x_a, whose
+/// coordinates start at x[2a] and x[2b]; e1 and e2 are the first and second derivative of e.
 inline void add_pair_block(Triplets& list, int a, int b, const double (&d)[2], double e1, double e2) {
   const double r = std::hypot(d[0], d[1]);
   for (int p = 0; p < 2; ++p)
@@ -134,9 +134,9 @@ class Diagonal : public Objective {
   std::vector<double> k_, q_;
 };
 
-/// Springs of stiffness 1 between random points of the unit square, free to translate and rotate: each with
-/// all points nearer than `reach`. Rest lengths are those of the points hidden() times 1 + `misfit` x a
-/// random number in [-1, 1).
+/// Springs of stiffness 1 between random points of the unit square that are nearer than `reach`; the whole is
+/// free to translate and rotate. Rest lengths are the distances of the points hidden(), times 1 + `misfit` x
+/// a random number in [-1, 1).
 class Springs : public Objective {
  public:
   Springs(int points, double reach, double misfit, int seed) : hidden_(2 * points) {

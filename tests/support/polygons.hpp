@@ -10,7 +10,7 @@
 
 namespace supple::testing {
 
-/// What a random packing of polygons is made of.
+/// Parameters of a random packing of polygons.
 struct PackingDraw {
   int bodies = 9;
   std::uint64_t seed = 1;
@@ -40,7 +40,7 @@ inline System<2> random_polygons(const PackingDraw& draw = {}) {
   return system;
 }
 
-/// The force field of such a system.
+/// The force field of such a packing.
 inline ForceField polygon_field(std::shared_ptr<BodyContacts> contacts) {
   ForceField field(std::move(contacts));
   field.terms().add(std::make_shared<PolygonShape>());

@@ -21,12 +21,12 @@ inline std::unique_ptr<DiscDynamics> documented_dynamics(const Case& c) {
   return dynamics;
 }
 
-/// One cycle of the case's amplitude and frequency in so many steps, without rests.
+/// One cycle of the case's amplitude and frequency in this many steps, without rests.
 inline OscillatoryProtocol one_cycle(const Case& c, int steps) {
   return {c.shear.amplitude, derive_constants(c, nullptr).frequency, steps, 0, steps, 0};
 }
 
-/// Damping per step: cool_factor per cycle.
+/// Damping factor per step that gives cool_factor per cycle.
 inline double damping(const Case& c, int steps_per_cycle) {
   return std::pow(c.shear.cool_factor, 1.0 / steps_per_cycle);
 }

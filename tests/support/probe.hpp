@@ -1,4 +1,4 @@
-/// A body and a disc that feels its way round it.
+/// A body and a disc that is put anywhere to probe the force of the body.
 #pragma once
 #include <cmath>
 #include <memory>
@@ -19,7 +19,7 @@ inline void add_body(System<2>& system, const std::vector<Vec2>& vertices, doubl
   add_ring(system, vertices, radius, {}, 1, rest, rest);
 }
 
-/// A body and a disc that probes it: U is not halved for a disc.
+/// A body and a disc that probes it. The energy of a disc has the factor 1, not 1/2 as that of a vertex.
 class Probe {
  public:
   Probe(const std::vector<Vec2>& vertices, double sigma, Harmonic law = {1, false})
@@ -67,16 +67,16 @@ inline std::vector<Vec2> regular(int n, double radius, double stretch = 1) {
   return ring;
 }
 
-// Counter-clockwise; sides of 2 to 4 unless said.
+// Rings, counter-clockwise, with sides of 2 to 4 unless a comment says otherwise.
 inline const std::vector<Vec2> square{{0, 0}, {3, 0}, {3, 3}, {0, 3}};
 inline const std::vector<Vec2> ell{{0, 0},   {4, 0}, {4, 4},
-                                   {2.3, 4}, {2, 2}, {0, 2}};  // a concave right angle, about
+                                   {2.3, 4}, {2, 2}, {0, 2}};  // one concave corner, about a right angle
 inline const std::vector<Vec2> notch{{0, 0}, {6, 0},   {6, 4}, {3.7, 4},
-                                     {3, 1}, {2.3, 4}, {0, 4}};  // 26 degrees
+                                     {3, 1}, {2.3, 4}, {0, 4}};  // a notch of 26 degrees
 inline const std::vector<Vec2> ledge{
     {0, 0},     {6, 0},     {6, 4},  {3, 4},
     {2.9, 3.4}, {2.6, 4.2}, {0, 4.2}};  // edges shorter than sigma = 1 at a notch of 29 degrees
 inline const std::vector<Vec2> spike{{0, 0}, {4, 0},   {4, 2}, {2.2, 2},
-                                     {2, 5}, {1.8, 2}, {0, 2}};  // thinner than sigma
+                                     {2, 5}, {1.8, 2}, {0, 2}};  // a spike thinner than sigma = 1
 
 }  // namespace supple::testing

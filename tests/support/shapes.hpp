@@ -16,7 +16,7 @@ inline System<2> empty_cell(double width, double height) {
   return system;
 }
 
-/// Adds a body; `radius` is that of each of its sites.
+/// Adds a body of sites that all have this radius.
 inline void add_outline(System<2>& system, const Ring& ring, double radius) {
   for (const Vec2& x : ring) {
     const int site = system.state.size();
@@ -36,14 +36,14 @@ inline Ring regular_polygon(int n, double circumradius, const Vec2& centre = {},
   return ring;
 }
 
-/// A ring round its centre whose 2 n vertices are at the two radii in turn.
+/// A ring of 2 n vertices round its centre, at the two radii in turn.
 inline Ring star(int n, double outer, double inner, const Vec2& centre = {}, double angle = 0) {
   Ring ring = regular_polygon(2 * n, 1, {}, angle);
   for (int i = 0; i < 2 * n; ++i) ring[i] = centre + (i % 2 ? inner : outer) * ring[i];
   return ring;
 }
 
-/// Rings of random shape, many not convex, and some discs, anywhere: they overlap as they like.
+/// Rings of random shapes, many of them not convex, and some discs, at random places; they may overlap.
 inline System<2> random_shapes(int bodies, std::uint64_t seed) {
   System<2> system = empty_cell(6, 5);
   for (int b = 0; b < bodies; ++b) {

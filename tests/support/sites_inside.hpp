@@ -1,5 +1,5 @@
-/// Sites that have got inside another body, by comparing all of them: what look_at and contacts are compared
-/// with.
+/// Sites inside another body, found by comparing every site with every body: the reference for look_at() and
+/// contacts.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ inline Bounds bounds_of(std::span<const Vec2> points) {
   return bounds;
 }
 
-/// Cells by which b must be moved along d, by that length each, to overlap a.
+/// Numbers of cells by which b may be moved along d, each as long as `length`, to overlap a.
 struct Cells {
   double first, last;
 };

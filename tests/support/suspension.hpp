@@ -6,8 +6,8 @@
 
 namespace supple::testing {
 
-/// n bidisperse discs at random in a cell of 10 x 8 with random velocities and spins; radii for that packing
-/// fraction.
+/// n bidisperse discs at random in a cell of 10 x 8, with random velocities and spins and radii that give the
+/// packing fraction.
 inline System<2> random_suspension(int n, double packing_fraction, double strain = 0,
                                    std::uint64_t seed = 1) {
   System<2> system;

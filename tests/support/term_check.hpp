@@ -15,7 +15,7 @@ namespace supple::testing {
 template <class Term, int Dim>
 using TermDraw = std::function<void(RandomStream&, Points<Term, Dim>&, typename Term::Param&)>;
 
-/// Points uniform in [-1, 1): fit for every term that is smooth there.
+/// Points with coordinates uniform in [-1, 1), for terms that are smooth there.
 template <int Dim, std::size_t N>
 void draw_points(RandomStream& draw, Vec<Dim> (&x)[N]) {
   for (Vec<Dim>& point : x)
@@ -49,7 +49,7 @@ Vec<Dim> transform(const Mat<Dim>& m, const Vec<Dim>& x) {
 
 /// Checks one term at random points: gradient and Hessian against central differences; a hand-written
 /// gradient against the differentiated energy; no net force or torque; invariance to translation and
-/// rotation; and, through the driver, force = -gradient and virial = -dE/d(strain).
+/// rotation; and, through StencilBlock, force = -gradient and virial = -dE/d(strain).
 template <class Term, int Dim>
 class TermCheck {
  public:

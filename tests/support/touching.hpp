@@ -13,14 +13,14 @@ namespace supple::testing {
 
 enum class Toucher { disc, vertex };
 
-/// Two bodies and what meets there.
+/// Two bodies that touch, and their contacts.
 struct Touching {
   std::string name;
   System<2> system;
   std::shared_ptr<BodyContacts> contacts;
-  double distance;  ///< of the order of that between the two sides
+  double distance;  ///< about the distance of the two sides [length]
 
-  /// A field of their contacts, with friction.
+  /// A force field of their contacts, with friction.
   ForceField field(const TouchLaw& law) const {
     ForceField f(contacts);
     f.add(std::make_shared<TouchFriction>(contacts, law));
@@ -50,7 +50,8 @@ Touching touching(const std::string& name, const std::vector<Vec2>& ring, const 
   return t;
 }
 
-/// Rough and smooth, of discs and vertices: on an edge, on a convex and in a concave corner, and inside.
+/// All cases, rough and smooth, of discs and vertices: on an edge, on a convex corner, in a concave corner,
+/// and inside.
 inline std::vector<Touching> all_touchings() {
   std::vector<Touching> all;
   for (const Toucher t : {Toucher::disc, Toucher::vertex}) {
@@ -81,8 +82,8 @@ inline double power(const Evaluation<2>& e, const State<2>& s) {
   return sum;
 }
 
-/// One straight step of an exact rotation of everything about a point by an angle, as a leapfrog makes it:
-/// velocities are those that carried the positions.
+/// Rotates everything about a point by an angle in one straight step, as a leapfrog does: velocities are
+/// those that carried the positions.
 inline void turn(System<2>& system, const Vec2& about, double angle, double dt) {
   State<2>& s = system.state;
   for (int i = 0; i < s.size(); ++i) {
@@ -95,7 +96,7 @@ inline void turn(System<2>& system, const Vec2& about, double angle, double dt) 
   system.lag = dt;
 }
 
-/// Energy lost by the books of a leapfrog of some time, and by how much the whole misses what it was.
+/// Energy lost over some time by the books of a leapfrog, and |energy now + energy lost - energy at first|.
 struct EnergyCheck {
   double lost, error;
 };
@@ -107,7 +108,7 @@ inline EnergyCheck check_energy(System<2> system, ForceField& field, double dt, 
   for (int step = 0; step * dt < time; ++step) {
     field.invalidate();
     field.evaluate(system, Detail::energies, out);
-    // Velocities of the instant: half a kick on.
+    // Velocities at the instant of the forces are half a kick ahead.
     last = out.energy.stored();
     for (int i = 0; i < s.size(); ++i) {
       const Vec2 v = s.velocity[i] + 0.5 * system.lag / s.mass[i] * out.force[i];
