@@ -23,8 +23,8 @@ enum class Cells {
 ///   regular polygon of `disc_corners` corners on its circle.
 /// * Data of points: `site`, `radius`, then `of_sites` of the scene by their names. Vectors have three
 ///   components.
-/// * Data of cells: `id` (body, 0-based), `sites` (1: a disc), `radius` (of the disc or the first vertex), and
-///   `of_bodies` of the scene by their names.
+/// * Data of cells: `id` (body, 0-based), `sites` (1: a disc), `radius` (of the disc or the first vertex),
+///   and `of_bodies` of the scene by their names.
 /// * Data of the field: `TimeValue` and the numbers of the whole system.
 ///
 /// The periodic cell has no place in this format: bodies are whole, moved as `placement` says. The time

@@ -18,8 +18,7 @@
 /// * "rigid": true for a particle of many vertices that is rigid as it stands; it needs no a0, l0 and theta0;
 /// * "v": velocities of the vertices;
 /// * "walls": those that stand where the cell is not periodic, of ["left", "right", "floor", "lid"]; all
-/// unless
-///   given;
+///   unless given;
 /// * "gravity": acceleration downward; "sticks": where vertices stick to the floor, or null;
 /// * "case": laws by the keys of a case ({"contact.kind": "smooth"}), which hold unless the case gives them.
 ///
