@@ -1,4 +1,4 @@
-/// Conservative contacts between bodies of many sites: what every kind of boundary offers.
+/// Conservative contacts between bodies of many sites: the interface of every kind of boundary.
 #pragma once
 #include <vector>
 
@@ -11,21 +11,21 @@
 
 namespace supple {
 
-/// What one site feels from one body: a contact, whatever it is made of.
+/// One contact of a site with another body (rough: with one site of that body), the sum of its records.
 struct BodyTouch {
-  std::int32_t site;  ///< the one of positive weight
-  std::int32_t body;  ///< the other one
+  std::int32_t site;  ///< that of positive weight in the records
+  std::int32_t body;  ///< the other body
   Vec2 force{};       ///< on the site [force]
   double energy = 0;
   Vec2 outward{};  ///< sum of the normals, each as often as it counts: away from the body
-  std::int32_t first_record = 0, records = 0;  ///< those that were summed
+  std::int32_t first_record = 0, records = 0;  ///< its records, one after the other
 
   /// Positive: repulsion.
   double normal_force() const { return dot(force, outward) < 0 ? -norm(force) : norm(force); }
 };
 
-/// A fast loop, and the general records that it must agree with. The pair table must be up to date
-/// (NeighborList::update with meeting()).
+/// Contacts of one kind, twice: evaluate() is a fast loop, records() the general form, and both give the same
+/// forces. The pair table must be up to date (NeighborList::update with meeting()).
 class BodyContacts {
  public:
   explicit BodyContacts(const BodyLaw& law) : law_(law) {}
@@ -34,30 +34,30 @@ class BodyContacts {
   const BodyLaw& law() const { return law_; }
   /// Of the same range, which the neighbour list knows.
   void set_law(const BodyLaw& law) { law_ = law; }
-  /// What the neighbour list must find for these contacts.
+  /// What the neighbour list must look for: sites, or sites and facets.
   virtual Meeting meeting() const = 0;
-  /// Factor on the law's energy and force for contacts of a site of such a body.
+  /// Factor on the law's energy and force for contacts of a site on this ring.
   virtual double scale(const Ring&) const { return 1; }
   /// Adds forces and, with Detail::energies, energy.elastic and the virial.
   virtual void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) = 0;
   /// Every contact as a record, in the order in which they act.
   virtual std::vector<ContactRecord<2>> records(const System<2>& system) = 0;
-  /// Adds second derivatives.
+  /// Adds the second derivatives of the energy.
   virtual void add_hessian(const System<2>& system, HessianBlocks<2>& blocks);
-  /// Vertices that the last evaluation found near a part of a body that is no simple arc; rough contacts have
-  /// none.
+  /// Number of vertices that the last evaluation found near a part of a boundary that is no single arc
+  /// (SmoothContacts); 0 for rough contacts.
   virtual int feature_violations() const { return 0; }
 
  private:
   BodyLaw law_;
 };
 
-/// Sums the records of each contact. Rough contacts of vertices and smooth ones of a vertex with a boundary
-/// are one touch each.
+/// Sums the records of each contact. A rough contact of two vertices is one touch, and so is a smooth one of
+/// a vertex with a boundary.
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                                    const BodyLaw& law);
 
-/// Adds forces, energy.elastic and the virial of records under a law without memory: the reference path.
+/// Adds forces, energy.elastic and the virial of the records: the reference for every evaluate().
 void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
                            Evaluation<2>& out);
 

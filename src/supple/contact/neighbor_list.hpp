@@ -6,7 +6,8 @@
 
 namespace supple {
 
-/// Skin of a neighbour list as a share of the mean radius; larger: fewer builds, more rows. By measurement.
+/// Skin of a neighbour list as a share of the mean radius: a larger one means fewer builds and more rows.
+/// Found by measurement.
 inline constexpr double default_skin = 0.4;
 
 /// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii,
@@ -23,12 +24,13 @@ class NeighborList {
                         double range = 1)
       : relative_skin_(relative_skin), meeting_(meeting), range_(range) {}
 
-  /// Rebuilds if stale. Returns whether it did. Throws where a period is too short.
+  /// Makes the rows anew if they are stale, and returns whether it did. Throws an input error where a period
+  /// is too short.
   bool update(System<Dim>& system);
-  /// Forces a build at the next update (after sites, radii, links or the box were changed by hand).
+  /// Makes the next update() build. Call it after sites, radii, links or the box were changed by hand.
   void invalidate() { built_ = false; }
   long builds() const { return builds_; }
-  /// Distance [length] by which pairs with a row may be apart beyond touching.
+  /// Gap up to which pairs that did not touch got a row at the last build [length].
   double skin() const { return skin_; }
 
  private:
@@ -42,12 +44,12 @@ class NeighborList {
   double range_;
   double skin_ = 0, reach_ = 0, least_period_ = 0;
   bool built_ = false;
-  std::uint64_t version_ = 0;  ///< of the table that was made last; never given twice
+  std::uint64_t version_ = 0;  ///< of the table made last; no version is given twice
   long builds_ = 0;
   double strain_at_build_ = 0;
   Vec<Dim> length_at_build_{};
   std::vector<Vec<Dim>> position_at_build_;
-  PairTable old_;                                    ///< kept for its memory
+  PairTable old_;                                    ///< the table before; its memory is used again
   std::vector<std::vector<std::int32_t>> partners_;  ///< of the sites of each chunk
 };
 

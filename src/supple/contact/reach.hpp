@@ -8,7 +8,8 @@
 
 namespace supple {
 
-/// What meets: sites, or also sites and facets, which may be nearer to a site than their ends are.
+/// What may touch: sites each other, or also sites and facets. A facet may be nearer to a site than its ends
+/// are.
 enum class Meeting { sites, facets };
 
 /// Radii within which sites may meet something [length]: their own times the range of the law, and half of
@@ -16,9 +17,10 @@ enum class Meeting { sites, facets };
 template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range = 1);
 
-/// The shortest period in which every contact is with the nearest image, and with no other one [length]:
-/// twice the largest reach of two sites of different bodies, and the extent of every body along it. In a
-/// shorter one a site may meet another body on two sides, or a body itself.
+/// The shortest period in which every contact is with the nearest image and with no other [length]: the
+/// larger of twice the largest sum of reaches of two sites of different bodies, and the extent of the longest
+/// body along the period. In a shorter one a site may meet another body on two sides, or a body may meet
+/// itself.
 template <int Dim>
 double least_period(const System<Dim>& system, const std::vector<double>& reach);
 

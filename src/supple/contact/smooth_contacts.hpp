@@ -8,32 +8,33 @@ namespace supple {
 
 /// Vertex against boundary [MacKeith 2025, eq. 9.5-9.9, corrected]. With phi(d) the law below d =
 /// sigma, or as far as it goes, half the sum over vertices i and other bodies of
-///     U_i = sum phi(d) over the edges that i faces  +  sum phi(|r_i - r_j|) over convex corners j that it is
-///     in front of
-///         - sum phi(|r_i - r_j|) over concave corners j where the strips of both edges overlap.
-/// It is the inclusion and exclusion of edges and vertices, seen from outside: forces are continuous round
-/// every corner. An edge is faced from the outer half of the strip over it, so that nothing acts through a
-/// thin body and that U_i = phi(nearest distance) outside of every convex body. It is so outside any body
-/// while sigma is below the local feature size, that is while what lies within sigma of i is one arc of the
-/// boundary: feature_violations() counts where it is not.
+///     U_i = sum phi(d) over the edges that i faces
+///         + sum phi(|r_i - r_j|) over the convex corners j that i is in front of
+///         - sum phi(|r_i - r_j|) over the concave corners j where i is in the strips of both edges.
+/// This is inclusion and exclusion of edges and vertices, seen from outside, and makes forces continuous
+/// round every corner. The strip of an edge is what lies straight over it. A vertex faces an edge from the
+/// outer half of its strip: nothing acts through a thin body, and U_i = phi(nearest distance) outside every
+/// convex body. Outside any other body the same holds while the part of the boundary within sigma of i is one
+/// arc; feature_violations() counts the vertices where it is not.
 ///
-/// A vertex that is inside a body, not deeper than sigma, feels phi(-depth) beside: energy and force go on
-/// where it crosses an edge, and it is pushed out to the nearest point of the boundary; nothing
-/// pushes out a deeper one. look_at() (observe/soundness) finds both.
+/// A vertex inside a body at a depth below sigma has the energy phi(-depth) besides: energy and force are
+/// continuous where it crosses an edge, and it is pushed toward the nearest point of the boundary. A vertex
+/// that lies deeper is not pushed. look_at() (observe/soundness) finds both.
 ///
-/// Smooth discs are bodies of one site. Their centres act as vertices against polygons, with factor 1 instead
-/// of 1/2, and the polygon's vertices do not act on the disc; two discs meet once, phi(distance).
+/// Smooth discs are bodies of one site. Their centres act as vertices on polygons, with the factor 1 instead
+/// of 1/2, and vertices of polygons do not act on discs. Two discs have the energy phi(distance).
 class SmoothContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
   Meeting meeting() const override { return Meeting::facets; }
   double scale(const Ring& of_site) const override { return edge_scale(of_site); }
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;
-  /// Edges as (vertex, start, end) with weights (1, -(1-t), -t), corners as (vertex, corner); inside, the
-  /// distance is negative.
+  /// Edge records are of the sites (vertex, start, end) with weights (1, -(1-t), -t), t the place of the
+  /// nearest point on the edge; corner records are of (vertex, corner). Inside, the distance is negative.
   std::vector<ContactRecord<2>> records(const System<2>& system) override;
-  /// Vertices that the last evaluation found near a part of a body that is no simple arc. Also on the way
-  /// into a concave corner, where both of its edges are already within sigma and the corner is not yet.
+  /// Number of vertices that the last evaluation found near a part of a boundary that is no single arc. A
+  /// vertex on its way into a concave corner is among them while both edges, but not yet the corner, are
+  /// within sigma.
   int feature_violations() const override { return violations_; }
 
  private:

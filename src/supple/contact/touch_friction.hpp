@@ -14,8 +14,9 @@ namespace supple {
 /// pulls. A touch of several records has the mean of their weights and of the rotations of their edges, each
 /// weighted by its part of F along n.
 ///
-/// The elongation u (System::touches) follows the motion v.t of half of dt ago, about the positions of then.
-/// So a pair that turns rigidly by straight steps, as a leapfrog makes them, winds up nothing at any step.
+/// The elongation u (System::touches) grows by v.t dt, with v and t about the positions of dt/2 ago, to which
+/// the velocities of a leapfrog belong (Instant). A pair that turns rigidly by straight steps, as a leapfrog
+/// makes them, then winds up nothing at any length of step.
 class TouchFriction final : public Interaction {
  public:
   TouchFriction(std::shared_ptr<BodyContacts> contacts, const TouchLaw& law)

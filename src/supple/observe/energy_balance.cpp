@@ -5,7 +5,7 @@
 namespace supple {
 namespace {
 
-/// Of the velocities as they stand, half a step before or after the instant of the forces.
+/// Kinetic energy of the velocities as they stand, half a step before or after the instant of the forces.
 double kinetic_energy_now(const State<2>& s) {
   double sum = 0;
   for (int i = 0; i < s.size(); ++i) {
@@ -26,7 +26,7 @@ double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
   return power;
 }
 
-/// What moves the plates does work against the contacts of their discs.
+/// Power of what moves the plates: it works against the forces of contacts on the plate discs.
 double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   double power = 0;
@@ -35,9 +35,9 @@ double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   return power;
 }
 
-/// A contact with the image n_y cells up closes at the speed of that image: its sides gain F_x n_y Ly rate
-/// more than the contact gives. Sum F (n_y Ly) over contacts is what sum f x^T over the sites has beyond the
-/// virial, sum F l^T.
+/// Power of the sheared images. The image n_y cells up moves at n_y Ly rate beyond its original, so that a
+/// contact with it, of force F on the site here, adds F_x n_y Ly rate to the energy. sum F_x n_y Ly is what
+/// sum f_x y over the sites has beyond the virial sum F_x l_y, apart from walls.
 double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
   if (system.box.strain_rate == 0) return 0;
   double sum = -evaluation.virial[flow][gradient];

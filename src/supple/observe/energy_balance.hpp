@@ -5,42 +5,44 @@
 
 namespace supple {
 
-/// Energy of the discs [energy]: kinetic, of free discs and of all spins, and what contacts and plates store.
+/// Energy of the sites [energy]: kinetic, of free sites and of all spins, and what is stored in contacts
+/// (elastic, tangential), plates and walls, and the terms of bodies.
 struct EnergyState {
   double kinetic = 0, elastic = 0, tangential = 0, wall = 0, terms = 0;
   double total() const { return kinetic + elastic + tangential + wall + terms; }
 };
-/// At the instant of `evaluation`, which must hold energies (Detail::energies).
+/// The energy at the instant of `evaluation`, which must hold energies (Detail::energies).
 EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// Work done on the discs, and energy lost, since the account was opened [energy].
+/// Work done on the sites, and energy lost, since the account was opened [energy].
 struct EnergyFlows {
-  double plates = 0;  ///< work: discs that plates move, less what discs lose when a plate takes them
+  double plates = 0;  ///< work on discs that plates move, less what a disc loses when a plate takes it
   double images =
-      0;  ///< work: -A sigma_xy rate of contacts across the sheared boundary, and discs that cross it
-  double shear_rate = 0;  ///< work: velocities that jump with the shear rate
+      0;  ///< work: rate sum F_x n_y Ly, F on a site by the image n_y cells up, and sites that cross
+  double shear_rate = 0;  ///< work: velocities that change with the shear rate
   double viscous = 0, tangential_viscous = 0,
-         sliding = 0;     ///< lost in contacts: central, tangential, by friction
-  double background = 0;  ///< lost by damping relative to the flow, less the work of that flow
+         sliding = 0;     ///< lost in contacts: in central and tangential dashpots, by friction
+  double background = 0;  ///< lost by damping relative to the flow, less the work that the flow does
 
   double work() const { return plates + images + shear_rate; }
   double lost() const { return viscous + tangential_viscous + sliding + background; }
 };
 
-/// The account of a run: an integrator books each thing that it does to the velocities
-/// (DiscDynamics::set_account), and the forces of each instant for the half step before it and the half step
-/// after it. Work and losses are independent of the energies, so what is left over measures the error of the
-/// time step:
+/// The account of a run. The integrator books each change that it makes to the velocities
+/// (DiscDynamics::set_account), and the work of the forces at each instant for the half step before it and
+/// the half step after it. Work and losses are computed without the energies, so what is left over measures
+/// the error of the time step:
 ///     residual = change of energy - work + lost.
 class EnergyBalance {
  public:
   /// Opens the account at this instant (with energies).
   void open(const System<2>& system, const Evaluation<2>& evaluation);
 
-  /// Goes on with an account of which these were kept, at the instant to which it was booked.
+  /// Goes on with an account of an earlier run, from its energy_at_opening() and booked(), at the instant of
+  /// that run's end.
   void resume(const System<2>& system, double energy_at_opening, const EnergyFlows& booked);
   double energy_at_opening() const { return energy_at_opening_; }
-  /// What resume() needs: flows without those of the half step before the present instant.
+  /// The flows that resume() needs: all but those of the half step before the present instant.
   const EnergyFlows& booked() const { return flows_; }
 
   /// Books the change of kinetic energy since the last booking as work (sign +1) or as loss (-1).
@@ -51,11 +53,11 @@ class EnergyBalance {
                        const Evaluation<2>& evaluation, double left);
   /// The forces of another instant, before anything changes the velocities.
   void meet(const System<2>& system, const Evaluation<2>& evaluation);
-  /// The kinetic energy that changed since the last booking came from the contacts.
+  /// Leaves the change of kinetic energy since the last booking to the contacts: it is neither work nor loss.
   void book_contacts(const System<2>& system, const Evaluation<2>& evaluation);
-  /// Work of plates and images while these forces act for `time` at the present velocities.
+  /// Books the work of plates and images while these forces act for `time` [time] at the present velocities.
   void book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time);
-  /// What the contacts lost over the step that led to this evaluation, `time` long.
+  /// Books what contacts lost over the step that led to this evaluation, `time` long [time].
   void book_losses(const Evaluation<2>& evaluation, double time);
 
   /// Flows up to the instant of `evaluation`, before the step that starts there.

@@ -1,4 +1,4 @@
-/// Bodies that bear nothing: which their contacts leave free to move.
+/// Bodies that bear no force (rattlers): their contacts leave them free to move.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace supple {
 
-/// What else holds a body: walls (Evaluation::wall) and weight.
+/// What acts on bodies besides their contacts: walls (Evaluation::wall) and weight.
 struct OutsideForces {
   std::span<const SiteForce<2>> wall = {};
   Vec2 gravity{};  ///< [length/time^2]
@@ -22,8 +22,8 @@ struct OutsideForces {
 /// contacts until none is left. A particle that rests on a floor is held by its weight; one with a site that
 /// cannot move is held. A link holds both ways, and so does a contact that attracts.
 ///
-/// Wrenches are taken with torques over the outer radius; a motion of size 1 must open every contact at a
-/// rate of `least_rate` at least, as forces balance to the tolerance of a minimisation only.
+/// Torques enter wrenches divided by the outer radius of the body. A motion of size 1 must open every contact
+/// at a rate of at least `least_rate`, because forces balance only to the tolerance of a minimisation.
 std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vector<SiteContact>& contacts,
                                         const OutsideForces& outside = {}, double least_rate = 1e-3);
 
