@@ -17,10 +17,10 @@ struct BodyTouch {
   std::int32_t body;  ///< the other body
   Vec2 force{};       ///< on the site [force]
   double energy = 0;
-  Vec2 outward{};  ///< sum of the normals, each as often as it counts: away from the body
+  Vec2 outward{};  ///< sum of multiplicity times normal over the records: away from the body
   std::int32_t first_record = 0, records = 0;  ///< its records, one after the other
 
-  /// Positive: repulsion.
+  /// Size of the force, positive for repulsion and negative for attraction [force].
   double normal_force() const { return dot(force, outward) < 0 ? -norm(force) : norm(force); }
 };
 
@@ -32,7 +32,7 @@ class BodyContacts {
   virtual ~BodyContacts() = default;
 
   const BodyLaw& law() const { return law_; }
-  /// Of the same range, which the neighbour list knows.
+  /// Replaces the law by one of the same range, which the neighbour list relies on.
   void set_law(const BodyLaw& law) { law_ = law; }
   /// What the neighbour list must look for: sites, or sites and facets.
   virtual Meeting meeting() const = 0;

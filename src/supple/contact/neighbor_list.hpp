@@ -10,13 +10,13 @@ namespace supple {
 /// Found by measurement.
 inline constexpr double default_skin = 0.4;
 
-/// Keeps System::pairs complete: every pair of different bodies closer than the sum of its radii,
-/// times the range of the law (Meeting::facets: and half of the longest facets at either site), and every
-/// permanent link however stretched, has a row; pairs within the skin have one too. Rows that leave lose
-/// their history; permanent ones stay. Stale when a site has moved, relative to the affine flow and the
-/// change of the box since the last build, so far that a pair without a row could touch: 2 max|u| + (|strain
-/// change| + |relative change of lengths|) * reach > skin. A periodic cell in which a site could meet another
-/// body on two sides (least_period) is refused, also where it has shrunk: too few particles are wrong input.
+/// Keeps System::pairs complete: a row for every pair of sites of different bodies that are closer than the
+/// sum of their radii times the range of the law (Meeting::facets: and half of the longest facet at either)
+/// plus the skin, and for every permanent link, however stretched. A row that is dropped loses its history;
+/// links stay. The list is stale, and made anew, once a pair without a row could touch: 2 max|u| + (|strain
+/// change| + |relative change of lengths|) reach > skin, with the displacements u of sites since the last
+/// build, relative to the affine strain of the cell. A periodic cell so short that a site could meet another
+/// body on two sides (least_period) is refused, also after it has shrunk: it holds too few particles.
 template <int Dim>
 class NeighborList {
  public:

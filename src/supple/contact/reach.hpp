@@ -12,8 +12,8 @@ namespace supple {
 /// are.
 enum class Meeting { sites, facets };
 
-/// Radii within which sites may meet something [length]: their own times the range of the law, and half of
-/// the longest facet there.
+/// Of each site, the radius within which it may touch something [length]: its own times the range of the law
+/// and, with Meeting::facets, half of the longest facet there.
 template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range = 1);
 

@@ -7,8 +7,9 @@
 
 namespace supple {
 
-/// Vertex on vertex [MacKeith 2025, eq. 9.3-9.4], r < sigma_ab = (sigma_a + sigma_b)/2, or as far as the law
-/// goes. Bodies of one site are smooth discs. Same bits for any number of threads.
+/// Vertices of different bodies act on each other at distances below sigma_ab = (sigma_a + sigma_b)/2, sigma
+/// being their diameters, times the range of the law [MacKeith 2025, eq. 9.3-9.4]. Bodies of one site are
+/// smooth discs. The bits are the same for any number of threads.
 class RoughContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;

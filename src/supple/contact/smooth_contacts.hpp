@@ -6,8 +6,9 @@
 
 namespace supple {
 
-/// Vertex against boundary [MacKeith 2025, eq. 9.5-9.9, corrected]. With phi(d) the law below d =
-/// sigma, or as far as it goes, half the sum over vertices i and other bodies of
+/// Vertices against boundaries [MacKeith 2025, eq. 9.5-9.9, corrected: docs/decisions/0010]. With phi(d) the
+/// energy of the law, 0 from d = sigma (times its range) on, the whole is half the sum over vertices i and
+/// other bodies of
 ///     U_i = sum phi(d) over the edges that i faces
 ///         + sum phi(|r_i - r_j|) over the convex corners j that i is in front of
 ///         - sum phi(|r_i - r_j|) over the concave corners j where i is in the strips of both edges.

@@ -9,9 +9,9 @@
 
 namespace supple {
 
-/// Acts on every touch (sum_touches) of given contacts, whose elastic force F they add themselves: along
-/// n = F/|F| (-F/|F| where it pulls) a dashpot, along t a spring and dashpot up to mu |F|, or 0 where F
-/// pulls. A touch of several records has the mean of their weights and of the rotations of their edges, each
+/// Acts on every touch (sum_touches) of the contacts given, which add their elastic force F themselves. Along
+/// n = F/|F| (-F/|F| where F pulls) there is a dashpot; along t a spring and a dashpot, together up to mu
+/// |F|, and nothing where F pulls. The frame of a touch of several records is the mean of theirs, each
 /// weighted by its part of F along n.
 ///
 /// The elongation u (System::touches) grows by v.t dt, with v and t about the positions of dt/2 ago, to which

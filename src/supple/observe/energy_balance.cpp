@@ -76,8 +76,8 @@ void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>
   kinetic_ = now;
 }
 
-// A change of velocities by dv at an instant takes m (v_before + F left/m + dv/2) dv: that of the velocities
-// as they stand, and F dv left.
+// A change of velocities by dv at an instant costs m (v + F left/m + dv/2).dv, v being the velocities as they
+// stand: what book() books, and F.dv left.
 void EnergyBalance::book_at_instant(double EnergyFlows::*part, double sign, const System<2>& system,
                                     const Evaluation<2>& evaluation, double left) {
   const double power = power_now(system, evaluation);

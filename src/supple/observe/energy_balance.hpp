@@ -47,11 +47,12 @@ class EnergyBalance {
 
   /// Books the change of kinetic energy since the last booking as work (sign +1) or as loss (-1).
   void book(double EnergyFlows::*flow, double sign, const System<2>& system);
-  /// The same for a change at the instant of the forces that stand in meet(), made while these have yet to
-  /// act for `left` until then (negative: have acted beyond it): of the velocities of that instant.
+  /// The same for a change of velocities that belongs to the instant of the forces given to meet(). It is
+  /// made while these forces have still to act for `left` [time] to reach that instant (negative: have acted
+  /// beyond it), and its work is taken with the velocities of that instant.
   void book_at_instant(double EnergyFlows::*flow, double sign, const System<2>& system,
                        const Evaluation<2>& evaluation, double left);
-  /// The forces of another instant, before anything changes the velocities.
+  /// To be called with the forces of each instant before anything changes the velocities.
   void meet(const System<2>& system, const Evaluation<2>& evaluation);
   /// Leaves the change of kinetic energy since the last booking to the contacts: it is neither work nor loss.
   void book_contacts(const System<2>& system, const Evaluation<2>& evaluation);
@@ -67,7 +68,7 @@ class EnergyBalance {
  private:
   EnergyFlows flows_;
   double energy_at_opening_ = 0, kinetic_ = 0;
-  double power_ = 0;  ///< of the forces, at the last booking
+  double power_ = 0;  ///< of all forces at the last booking [energy/time]
 };
 
 }  // namespace supple

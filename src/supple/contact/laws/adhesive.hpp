@@ -1,12 +1,14 @@
-/// Attraction of short range: surfaces that touch stick until they are pulled apart.
+/// Attraction of short range: surfaces that touch stick together until they are pulled apart.
 #pragma once
 
 namespace supple {
 
-/// F = k (d0 - d) up to half of the range beyond contact, and from there back to zero, F = -k (d0 (1 + w) -
-/// d); nothing from d0 (1 + w) on. Conservative and continuous: U = (k/2) (d0 - d)^2 - k (w d0)^2/4, then
-/// -(k/2) (d0 (1 + w) - d)^2, of depth k (w d0)^2/4 at contact; the largest pull is k w d0/2 [Lois,
-/// Blawzdziewicz & O'Hern 2008; Irani, Chaudhuri & Heussinger 2014, with w = 2u]. w: `range`, a share of d0.
+/// With w the constructor's `range`, a share of d0 [Lois, Blawzdziewicz & O'Hern 2008; Irani, Chaudhuri &
+/// Heussinger 2014, whose u is w/2]:
+///     F = k (d0 - d),              U = (k/2) (d0 - d)^2 - k (w d0)^2/4   for d up to d0 (1 + w/2),
+///     F = -k (d0 (1 + w) - d),     U = -(k/2) (d0 (1 + w) - d)^2         from there to d0 (1 + w),
+/// and nothing beyond. The law is conservative and continuous. Its energy is -k (w d0)^2/4 at contact, and
+/// the largest pull is k w d0/2.
 class Adhesive {
  public:
   explicit Adhesive(double range) : w_(range) {}
@@ -25,7 +27,7 @@ class Adhesive {
   }
 
  private:
-  /// Beyond the largest pull.
+  /// Whether d is beyond the largest pull.
   bool pulls_less(double d, double d0) const { return d > (1 + 0.5 * w_) * d0; }
   double w_;
 };

@@ -1,4 +1,4 @@
-/// The law of contacts between bodies of many sites: any elastic law, with the spring of the two sites.
+/// The law of contacts between bodies of many sites: any elastic law, with the spring constant of Harmonic.
 #pragma once
 #include <utility>
 
@@ -7,7 +7,8 @@
 
 namespace supple {
 
-/// One law by its type, for loops: sigma is where the surfaces of the two sites meet [length].
+/// The law with a known type, for fast loops. sigma is the distance at which the surfaces of the two sites
+/// meet [length].
 template <class Elastic>
 struct LawOfSites {
   Harmonic scale;
@@ -15,19 +16,19 @@ struct LawOfSites {
 
   double range() const { return range_of(elastic); }
   double energy(double r, double sigma) const { return elastic.energy(r, sigma, scale.spring(sigma)); }
-  /// -dU/dr, positive: repulsion.
+  /// -dU/dr [force]; positive: repulsion.
   double force(double r, double sigma) const { return elastic.force(r, sigma, scale.spring(sigma)); }
-  /// d2U/dr2.
+  /// d2U/dr2 [energy/length^2].
   double stiffness(double r, double sigma) const { return elastic.stiffness(r, sigma, scale.spring(sigma)); }
 };
 
-/// Callers ask only for r < range() sigma.
+/// The law with any elastic law. Its functions may be called only with r < range() sigma.
 class BodyLaw {
  public:
   BodyLaw(const Harmonic& scale, Repulsion elastic = Linear())
       : scale_(scale), elastic_(std::move(elastic)) {}
 
-  /// visit(LawOfSites) of the law that it is.
+  /// Calls visitor(LawOfSites) with the law in its own type.
   template <class Visit>
   auto visit(const Visit& visitor) const {
     return std::visit(
@@ -36,7 +37,7 @@ class BodyLaw {
         },
         elastic_);
   }
-  /// k of these two sites, by which the law is multiplied [force/length].
+  /// The spring constant of two sites, to which the law is proportional [force/length].
   double spring(double sigma) const { return scale_.spring(sigma); }
   double range() const { return range_of(elastic_); }
   bool attracts() const { return range() > 1; }
@@ -52,7 +53,7 @@ class BodyLaw {
   }
 
   const Harmonic& scale() const { return scale_; }
-  /// The same law, so many times as stiff.
+  /// The same law, `factor` times as stiff.
   BodyLaw stiffer(double factor) const {
     BodyLaw law = *this;
     law.scale_.stiffness *= factor;

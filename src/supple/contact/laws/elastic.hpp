@@ -1,14 +1,15 @@
-/// Elastic laws of two sites: force and energy as functions of the distance d, d0 where their surfaces meet.
-/// Every law is force(d, d0, k) [force, positive: repulsion] with energy(d, d0, k) [energy], force =
-/// -d(energy)/dd, both zero where it ends, and stiffness(d, d0, k) = -d(force)/dd; k [force/length]. It ends
-/// at d0, or at range() d0 where it has one. Figure S1-3 compares them.
+/// Elastic laws of two sites at a distance d, d0 being the distance at which their surfaces meet. Every law
+/// has force(d, d0, k) [force, positive: repulsion], energy(d, d0, k) [energy] and stiffness(d, d0, k)
+/// [force/length], with force = -d(energy)/dd, stiffness = -d(force)/dd, and a spring constant k
+/// [force/length]. A law ends at d0, or at range() d0 if it has a range; force and energy are zero there.
+/// Figure S1-3 of the package's documentation compares them.
 #pragma once
 #include <cmath>
 #include <string_view>
 
 namespace supple {
 
-/// Distance at which a law ends, over that at which surfaces meet; beyond 1 it attracts.
+/// Distance at which a law ends, over that at which surfaces meet. A law with a range above 1 attracts.
 template <class Law>
 constexpr double range_of(const Law& law) {
   if constexpr (requires { law.range(); }) return law.range();

@@ -3,9 +3,9 @@
 
 namespace supple {
 
-/// U = (k/2)(sigma - r)^2 for r < sigma [MacKeith 2025, eq. 9.3], k = stiffness [energy/length^2]; relative:
-/// U = (stiffness/2)(1 - r/sigma)^2, stiffness [energy]. r: distance, sigma: where the surfaces meet
-/// [length]. Callers ask only for r < sigma.
+/// U = (k/2)(sigma - r)^2 for r < sigma [MacKeith 2025, eq. 9.3], r the distance and sigma that at which the
+/// surfaces meet [length]; k = stiffness [energy/length^2]. relative: U = (stiffness/2)(1 - r/sigma)^2,
+/// stiffness [energy]. To be called only with r < sigma.
 struct Harmonic {
   double stiffness = 1;
   bool relative = false;

@@ -36,8 +36,9 @@ struct TouchResponse {
   TangentialResponse tangential;
 };
 
-/// `elastic`: of the whole contact, positive: repulsion; `scale`: of its elastic energy. What pulls does not
-/// rub, and its dashpot does not add to the pull unless that is allowed.
+/// Friction and viscosity of a contact. `elastic` is its elastic force, positive for repulsion; `scale` the
+/// factor on its elastic energy; u the elongation so far [length]; dt the time over which the motion has
+/// acted [time]. A contact that pulls has no friction, and its dashpot pulls only with ViscousPull::allowed.
 inline TouchResponse respond_touch(const TouchLaw& law, double scale, double elastic, const TouchMotion& m,
                                    double u, double dt) {
   const double repulsion = std::max(elastic, 0.0);
