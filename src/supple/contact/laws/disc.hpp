@@ -8,8 +8,9 @@
 
 namespace supple {
 
-/// Arms of the tangential speed: the shares d r_i/(r_i + r_j) that the torques have (work closes, a rigid
-/// rotation winds nothing up), or the radii, as in the published package.
+/// Lever arms of spins in the tangential speed. distance: d r_i/(r_i + r_j), as in the torques (S1-3), so
+/// that the work of a contact closes and a rigid rotation winds nothing up. radius: r_i, as in the published
+/// package.
 enum class LeverArm { distance, radius };
 
 /// Stiffness [force/length] and viscosity [force/speed] of one kind of pair, central and tangential.
@@ -17,7 +18,8 @@ struct PairStiffness {
   double k = 0, eta = 0, k_t = 0, eta_t = 0;
 };
 
-/// Parameters that every pair shares; k of `contact` and `link` differ by the interface re-enforcement.
+/// Parameters that all pairs share. Stiffnesses of `contact` and `link` differ by the interface
+/// re-enforcement.
 struct DiscLaw {
   PairStiffness contact, link;
   Tensile tension;
@@ -26,19 +28,22 @@ struct DiscLaw {
   LeverArm lever_arm = LeverArm::distance;
 };
 
-/// The relative motion of two discs: distance d, d0 = r_i + r_j, speed of separation v_n = v_rel.n, and v_t.
+/// The relative motion of two discs: distance d, d0 = r_i + r_j [length], speed of separation v_n = v_rel.n,
+/// and tangential speed v_t with the lever arms of the law [length/time].
 struct PairMotion {
   double d, d0, v_n, v_t;
 };
 
-/// elastic, viscous: repulsion positive; tangential: on the first disc along t = (-n_y, n_x) [force].
+/// Forces of a contact [force]: elastic and viscous, positive where they repel; tangential, on the first disc
+/// along t = (-n_y, n_x).
 struct DiscResponse {
   double elastic, viscous;
   TangentialResponse tangential;
 };
 
-/// A touching pair (d < range d0): elastic force, viscosity, Coulomb friction with limit mu F_el: what pulls
-/// does not rub. `slip`: of law.slip.
+/// Forces of a touching pair (d < range d0): elastic force, viscosity, and friction with the Coulomb limit mu
+/// F_el, of which a pair that pulls has none. u is the elongation so far [length], dt the time over which v_t
+/// has acted [time], `slip` the rule of law.slip.
 template <class Repulsion>
 DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, const SlipRule& slip,
                              const PairMotion& m, double u, double dt) {
@@ -54,7 +59,8 @@ DiscResponse respond_contact(const Repulsion& repulsion, const DiscLaw& law, con
   return respond_contact(repulsion, law, SlipRule(law.slip, law.contact.k_t), m, u, dt);
 }
 
-/// A permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb limit.
+/// Forces of a permanent link at any distance: repulsion when compressed, tension when stretched, no Coulomb
+/// limit.
 template <class Repulsion>
 DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const PairMotion& m, double u,
                           double dt) {
@@ -63,7 +69,7 @@ DiscResponse respond_link(const Repulsion& repulsion, const DiscLaw& law, const 
   return {elastic, -s.eta * m.v_n, bonded(u, m.v_t, dt, s.k_t, s.eta_t)};
 }
 
-/// Energy of the elastic part [energy]: the integral of `elastic` of the responses above.
+/// Elastic energy of a contact or link [energy]: the integral of DiscResponse::elastic over the distance.
 template <class Repulsion>
 double elastic_energy(const Repulsion& repulsion, const DiscLaw& law, double d, double d0, bool linked) {
   const double k = linked ? law.link.k : law.contact.k;

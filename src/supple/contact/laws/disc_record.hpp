@@ -5,8 +5,8 @@
 
 namespace supple {
 
-/// Repulsion and friction of `law` for a record. Its velocity comes from the record's arms, that is
-/// LeverArm::distance; LeverArm::radius is not power-conjugate and exists in the loop over discs only.
+/// The response of `law` with this repulsion at a record. The velocity of a record comes from its arms, as
+/// with LeverArm::distance; LeverArm::radius, whose forces have another power, exists only in DiscContacts.
 template <class Repulsion>
 ContactResponse<2> respond(const Repulsion& repulsion, const DiscLaw& law, const ContactMotion<2>& motion,
                            std::span<double> new_history) {
@@ -18,7 +18,7 @@ ContactResponse<2> respond(const Repulsion& repulsion, const DiscLaw& law, const
   const DiscResponse r = linked ? respond_link(repulsion, law, m, u, motion.dt)
                                 : respond_contact(repulsion, law, m, u, motion.dt);
   new_history[0] = r.tangential.elongation;
-  // The law's tangential force is that on the first disc, which has negative weight.
+  // The tangential force of the law is on the first disc, which has negative weight.
   return {
       (r.elastic + r.viscous) * n - r.tangential.force * t, elastic_energy(repulsion, law, m.d, m.d0, linked),
       0.5 * (linked ? law.link.k_t : law.contact.k_t) * new_history[0] * new_history[0], r.tangential.state};

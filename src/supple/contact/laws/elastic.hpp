@@ -26,7 +26,7 @@ class Linear {
 };
 
 /// Linear to divergent (S1-5a, S1-5b, S1-6): F = k [ (1-c) delta + c delta d0/d ], delta = d0 - d, at most
-/// 1000 k d0. c = 1: divergent at d = 0 (default); c = 0: linear.
+/// 1000 k d0. With c = 1 (default) F would diverge at d = 0; with c = 0 it is linear.
 class Divergent {
  public:
   static constexpr std::string_view name = "divergent";
@@ -61,8 +61,8 @@ class Divergent {
   double c_, x_cap_;
 };
 
-/// Hertz-like (S1-13, the 3D average with Z = 10.7): F = Z sqrt(2)/(8 sqrt(3)) E R^-1/2 delta^1.5 per metre
-/// of depth, R = d0/2 and E = 8 k/pi (S1-8).
+/// Like Hertz (S1-13, an average over 3D packings with coordination Z = 10.7): F = Z sqrt(2)/(8 sqrt(3)) E
+/// R^-1/2 delta^1.5 per metre of depth, with delta = d0 - d, R = d0/2 and E = 8 k/pi (S1-8).
 class Hertz {
  public:
   static constexpr std::string_view name = "hertz";
@@ -84,8 +84,9 @@ class Hertz {
   }
 };
 
-/// Highly compressible, sponge-like discs: the divergent law of a mapped distance d'(d), which falls with the
-/// reduced `slope` between `end` and `begin` (shares of d0) and then straight to zero at d = 0.
+/// Highly compressible, sponge-like discs: the law Divergent at a mapped distance d'(d). d' = d above `end`,
+/// falls with the reduced `slope` from `end` down to `begin` (shares of d0), and then straight to zero at d =
+/// 0.
 class Plateau {
  public:
   static constexpr std::string_view name = "plateau";
@@ -97,7 +98,8 @@ class Plateau {
         inner_slope_((end + (begin - end) * slope) / begin) {}
 
   double force(double d, double d0, double k) const { return law_.force(mapped(d, d0), d0, k); }
-  /// Integral of the force over d, not over d': each branch is divided by its slope d(d')/dd.
+  /// The integral of the force over d, not over d': on each branch that over d' divided by the slope
+  /// d(d')/dd.
   double energy(double d, double d0, double k) const {
     const auto u = [&](double at) { return law_.energy(mapped(at, d0), d0, k); };
     const double begin = begin_ * d0, end = end_ * d0;
@@ -120,9 +122,9 @@ class Plateau {
   double begin_, end_, slope_, inner_slope_;
 };
 
-/// Attraction of a stretched link, d > d0, as repulsion of negative sign. Linear: k (d - d0).
-/// Exponential: k a d0 (exp((d - d0)/(a d0)) - 1), stiffening. Saturating: k a d0 (1 - exp(-(d - d0)/(a
-/// d0))), the published package's "exponential". a: `range`; all have slope k at d0.
+/// Attraction of a stretched link, d > d0; force() gives it as a negative repulsion. Linear: k (d - d0).
+/// Exponential: k a d0 (exp((d - d0)/(a d0)) - 1), which stiffens. Saturating: k a d0 (1 - exp(-(d - d0)/(a
+/// d0))), which the published package calls exponential. a is `range`; all have the slope k at d0.
 class Tensile {
  public:
   enum class Kind { linear, exponential, saturating };

@@ -7,31 +7,32 @@
 
 namespace supple {
 
-/// What the spring does while the contact slips: held so that |k_t u + eta_t v_t| = limit (Cundall-Strack);
-/// not integrated (Otsuki & Hayakawa); or set to zero (published package).
+/// What the elongation u does while a contact slips. clamp: it is held so that |k_t u + eta_t v_t| = limit
+/// [Cundall & Strack 1979]. freeze: it stays [Otsuki & Hayakawa 2017]. reset: it is zero (published package).
 enum class Slip { clamp, freeze, reset };
 
-/// The same as two numbers, once for all pairs, so that loops over contacts need no branch:
-/// u = keeps u + follows (F_t - eta_t v_t).
+/// A Slip as two numbers, so that loops over contacts need no branch: in slip u becomes keeps u + follows
+/// (F_t - eta_t v_t), F_t being the limited force.
 struct SlipRule {
   double keeps, follows;
   SlipRule(Slip slip, double k_t)
       : keeps(slip == Slip::freeze ? 1 : 0), follows(slip == Slip::clamp && k_t > 0 ? 1 / k_t : 0) {}
 };
 
-/// Force along t on the first site [force], and what the contact remembers: elongation u [length] and state.
+/// Tangential force on the first site along t [force], and what the contact will remember: elongation u
+/// [length] and state.
 struct TangentialResponse {
   double force, elongation;
   ContactState state;
 };
 
-/// F_t = k_t u + eta_t v_t with u = integral of v_t dt: the bond of a permanent link, which has no limit.
+/// F_t = k_t u + eta_t v_t, with u the integral of v_t dt: the bond of a permanent link, which has no limit.
 inline TangentialResponse bonded(double u, double v_t, double dt, double k_t, double eta_t) {
   const double elongation = u + v_t * dt;
   return {k_t * elongation + eta_t * v_t, elongation, ContactState::permanent};
 }
 
-/// The same up to |F_t| = limit = mu F_el (stick), and the limit with the sign of F_t beyond it (slip).
+/// The same where |F_t| <= limit = mu F_el (stick); else the limit, with the sign of F_t (slip).
 inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, double eta_t, double limit,
                                   const SlipRule& slip) {
   const TangentialResponse trial = bonded(u, v_t, dt, k_t, eta_t);
@@ -47,8 +48,8 @@ struct TangentialBooks {
   double energy, viscous_power, sliding_power;
 };
 
-/// The books of a response to v_t over dt from the elongation u. Only a slip that holds u back to the limit
-/// still has a dashpot.
+/// The books of the response `r` to v_t over dt, from the elongation u before. In slip the dashpot has a part
+/// in the force with Slip::clamp only; otherwise all loss is by sliding.
 inline TangentialBooks book(const TangentialResponse& r, double u, double v_t, double dt, double k_t,
                             double eta_t, Slip slip) {
   const bool slides = r.state == ContactState::slip;

@@ -12,7 +12,7 @@ struct Harmonic {
 
   double spring(double sigma) const { return relative ? stiffness / (sigma * sigma) : stiffness; }
   double energy(double r, double sigma) const { return 0.5 * spring(sigma) * (sigma - r) * (sigma - r); }
-  /// -dU/dr, positive: repulsion.
+  /// -dU/dr [force]; positive: repulsion.
   double force(double r, double sigma) const { return spring(sigma) * (sigma - r); }
 };
 

@@ -1,5 +1,5 @@
-/// A repulsion law given by the user as a formula or a function, tabulated so that it costs no more than a
-/// built-in.
+/// A repulsion law given by the user as a formula or a function, tabulated so that it is as fast as a
+/// built-in one.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace supple {
 
-/// Force [force] of two discs at distance d <= d0, positive: repulsion; k [force/length] and c of the case.
+/// Force of two discs at the distance d <= d0 [force], positive: repulsion; k [force/length] and c are those
+/// of the case.
 using RepulsionFunction = std::function<double(double d, double d0, double k, double c)>;
 
-/// F = k d0 g(d/d0), g as C1 piecewise cubics (a Hermite spline) on cells whose width halves from octave to
-/// octave toward d = 0, so that steep cores are resolved; constant below d0/4096. The energy is the exact
-/// integral of the spline.
+/// F = k d0 g(d/d0), with g a cubic Hermite spline (continuously differentiable) on cells whose width halves
+/// from octave to octave toward d = 0, so that steep cores are resolved; g is constant below d = d0/4096. The
+/// energy is the exact integral of the spline.
 class Tabulated {
  public:
   static constexpr std::string_view name = "expression";
 
-  /// Throws an input error that names `what` unless, over (0, d0], the law is finite, repulsive or zero, zero
-  /// at d0, below 1000 k d0, proportional to k, and homogeneous: F(s d, s d0) = s F(d, d0).
+  /// Throws an input error that names `what` unless, over (0, d0], the law is finite, not attractive, zero at
+  /// d0, below 1000 k d0, proportional to k, and homogeneous: F(s d, s d0) = s F(d, d0).
   Tabulated(const RepulsionFunction& law, double c, const std::string& what);
 
   double force(double d, double d0, double k) const {
@@ -39,7 +40,7 @@ class Tabulated {
     return x < least ? 0 : -k * (cell.b + s * (2 * cell.c + s * 3 * cell.d));
   }
 
-  /// Largest |spline - law| / (k d0) seen on four points of every cell, relative to max(1, F / (k d0)).
+  /// Largest |spline - law| / (k d0) over max(1, F / (k d0)), on four points of every cell.
   double error_bound() const { return error_bound_; }
 
  private:
@@ -50,7 +51,7 @@ class Tabulated {
   static constexpr int octaves = 12;
   static constexpr double least = 1.0 / (1 << octaves);
 
-  /// Exponent and leading bits of the mantissa of x number the cells in ascending x.
+  /// Index of the cell of x: exponent and leading bits of the mantissa number the cells in ascending x.
   std::int64_t index(double x) const { return (std::bit_cast<std::int64_t>(x) >> shift_) - base_; }
   static double clamped(double x) { return x < least ? least : x; }
   const Cell& cell_at(double x) const {

@@ -10,7 +10,8 @@ namespace supple {
 /// Whether the normal dashpot of a contact that opens may pull beyond its elastic repulsion.
 enum class ViscousPull { never, allowed };
 
-/// Parameters that every contact shares; those of a contact on half an elastic energy are halved (9.5).
+/// Parameters that all contacts share. Where the elastic energy of a contact has the factor 1/2 [MacKeith
+/// 2025, eq. 9.5], stiffness and viscosities have it too (`scale`).
 struct TouchLaw {
   double friction = 0;  ///< mu
   double k_t = 0;       ///< tangential stiffness [force/length]
@@ -20,17 +21,19 @@ struct TouchLaw {
   ViscousPull pull = ViscousPull::never;
 };
 
-/// Tangential stiffness as a ratio of that of contacts.
+/// Tangential stiffness k_t = ratio k_c [force/length], k_c the stiffness of contacts.
 inline double tangential_stiffness(double ratio, double k_c) { return ratio * k_c; }
-/// eta = v sqrt(m k_c), m the mean mass of the two sites (S1-9).
+/// Viscosity eta = v sqrt(m k_c) [force/speed], v the relative viscosity and m the mean mass of two sites
+/// (S1-9).
 inline double viscosity(double relative, double mass, double k_c) { return relative * std::sqrt(mass * k_c); }
 
-/// The relative motion of the two sides: speed of separation v_n = v.n, and v_t = v.t.
+/// The relative motion of the two sides of a contact: speed of separation v_n = v.n and v_t = v.t
+/// [length/time].
 struct TouchMotion {
   double v_n, v_t;
 };
 
-/// viscous: along n on the side that n points to; tangential: against t on it.
+/// Forces on the side that n points to [force]: `viscous` along n, `tangential` along -t.
 struct TouchResponse {
   double viscous;
   TangentialResponse tangential;
@@ -47,12 +50,13 @@ inline TouchResponse respond_touch(const TouchLaw& law, double scale, double ela
   return {viscous, coulomb(u, m.v_t, dt, k_t, scale * law.eta_t, law.friction * repulsion, {law.slip, k_t})};
 }
 
-/// A permanent link: central spring both ways, dashpot, and a tangential bond without a Coulomb limit.
+/// A permanent link: a central spring in both directions, a central dashpot, and a tangential spring and
+/// dashpot without a Coulomb limit.
 struct LinkLaw {
   double k = 0, eta = 0, k_t = 0, eta_t = 0;  ///< [force/length], [force/speed]
 
   double energy(double d, double rest) const { return 0.5 * k * (d - rest) * (d - rest); }
-  /// Repulsion, positive where compressed.
+  /// Repulsion of the spring [force]: positive where compressed, negative where stretched.
   double force(double d, double rest) const { return k * (rest - d); }
 };
 
