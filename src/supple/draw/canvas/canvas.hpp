@@ -14,11 +14,11 @@ namespace supple {
 
 enum class PictureFormat { png, jpg, svg, pdf, ps };
 
-/// The format that the ending of `path` names; standard output gets a png. Throws an input error that lists
-/// the valid endings.
+/// The format that the ending of `path` names; png for standard output. Throws an input error that lists the
+/// valid endings.
 PictureFormat picture_format(const std::string& path);
 
-/// A place on the page in points (1/72 inch), from the upper left corner, y downward.
+/// A place on the page in points (1/72 inch) from its upper left corner, y downward.
 using Point = Vec2;
 
 struct Pen {
@@ -52,8 +52,8 @@ enum class ClipTo { inside, outside };
 /// A white page. Nothing is on disk before finish().
 class Canvas {
  public:
-  /// width, height in points; dots_per_inch matters to png and jpg only. Throws for an unknown ending of
-  /// `path`.
+  /// width and height are in points; dots_per_inch matters for png and jpg only. Throws as picture_format()
+  /// does.
   Canvas(const std::string& path, double width, double height, double dots_per_inch = 300);
   ~Canvas();
   Canvas(const Canvas&) = delete;
@@ -63,7 +63,7 @@ class Canvas {
   double height() const { return height_; }
 
   void line(Point from, Point to, const Pen& pen);
-  /// Open line; a point that is not finite leaves a gap.
+  /// Draws an open line; a point that is not finite leaves a gap.
   void polyline(std::span<const Point> points, const Pen& pen);
   void polygon(std::span<const Point> points, const Paint& paint);
   void rectangle(Point low, Point high, const Paint& paint);
@@ -72,10 +72,10 @@ class Canvas {
   /// Width of a line of text [pt].
   double text_width(const std::string& text, const TextStyle& style = {}) const;
 
-  /// Runs `draw`, of which only the part inside or outside of the polygon shows.
+  /// Runs `draw`; only what it draws inside (or outside) the polygon shows.
   void clipped(std::span<const Point> polygon, ClipTo side, const std::function<void()>& draw);
 
-  /// Writes the file, whole or not at all. Throws a file error.
+  /// Writes the file, completely or not at all. Throws file errors.
   void finish();
 
  private:

@@ -8,7 +8,7 @@ namespace supple {
 /// The exponent as Unicode superscripts: ⁻⁷.
 std::string superscript(int exponent);
 
-/// Three digits at most, with a power of ten where the number is small or large: 0.5, 12, 5·10⁻⁷.
+/// The number with at most three digits, and a power of ten where it is small or large: 0.5, 12, 5·10⁻⁷.
 std::string short_number(double value);
 
 /// Part of a line of text, on the line or raised.
@@ -17,7 +17,8 @@ struct TextRun {
   bool raised;
 };
 
-/// The font of pictures has no superscripts but 1, 2 and 3: where others stand, all become raised characters.
+/// Splits a line into parts. The font of pictures has only the superscripts 1, 2 and 3: where a line has
+/// others, all of its superscripts become raised characters.
 std::vector<TextRun> text_runs(const std::string& text);
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-/// A small chart for papers: columns of stacked panels with round ticks, units, legends outside of the data.
+/// Charts for papers: columns of stacked panels with round ticks, units, and legends outside of the data.
 #pragma once
 #include <optional>
 #include <span>
@@ -24,12 +24,10 @@ struct ChartSeries {
   std::vector<double> dash = {};  ///< [pt]; empty: solid
 };
 
-/// A logarithmic axis shows what is above 0, in the unit as it is.
+/// A logarithmic axis shows numbers above 0, in their unit without a prefix.
 enum class Spacing { linear, logarithmic };
 
-/// Numbers are shown in the unit with an SI prefix; "%": times 100; a unit that begins with a digit takes no
-/// prefix; without a unit or with a symbol ("k_a a0"), very large and very small numbers are shown with a
-/// power of ten.
+/// An axis. Numbers are shown in their unit as shown_unit() says (canvas/ticks.hpp).
 struct ChartAxis {
   std::string label, unit;
   std::optional<std::pair<double, double>> range = {};  ///< SI; from the data where not given
@@ -51,7 +49,7 @@ struct ChartPanel {
   double weight = 1;                      ///< share of the column's height
 };
 
-/// Panels above each other with one x axis, that of the lowest.
+/// Panels above each other that share one x axis, that of the lowest.
 struct ChartColumn {
   std::vector<ChartPanel> panels;
   double weight = 1;  ///< share of the chart's width
@@ -67,9 +65,9 @@ struct Chart {
 /// errors.
 void draw_chart(const std::string& path, const Chart& chart);
 
-/// Fewer points of the same curve: a run of neighbours that spans less than `resolution` along x or along y
-/// is reduced to its ends and its extremes, so every peak is kept. A point that is not finite ends a run and
-/// stays.
+/// The same curve with fewer points. Neighbours that together span less than `resolution` along x or along y
+/// are reduced to the ends and the extremes of their run, so that every peak is kept. A point that is not
+/// finite ends a run and stays.
 std::vector<Vec2> thin(std::span<const Vec2> curve, double resolution);
 
 }  // namespace supple

@@ -19,15 +19,17 @@ struct AxisScale {
   std::string title;  ///< label and unit
   std::vector<AxisTick> ticks;
 
-  /// 0 at low, 1 at high; not finite for what a logarithmic axis cannot show.
+  /// Place of a value on the axis, 0 at `low` and 1 at `high`; not finite where a logarithmic axis cannot
+  /// show it.
   double share(double value) const;
-  /// Moves the ends outward by these shares of the length.
+  /// Moves the two ends outward, by these shares of the length of the axis.
   void widen(double below, double above);
   /// Chooses about `count` ticks, and the unit for the title.
   void set_ticks(const ChartAxis& axis, int count);
 };
 
-/// The axis over these values (or its own range), without ticks yet. Some length where there is none.
+/// The scale of an axis over these values (least, largest), or over the range of the axis if it has one,
+/// without ticks. Where all values are the same it gets some length.
 AxisScale scale_of_axis(const ChartAxis& axis, std::pair<double, double> values);
 
 /// Whether an axis can show this number: finite, and above 0 where it is logarithmic.

@@ -8,7 +8,7 @@
 
 namespace supple {
 
-/// One estimator of the shear stress with what was found from it.
+/// One estimate of the shear stress, with the moduli found from it.
 struct StressEstimate {
   std::string name;                            ///< as the legend says it
   std::vector<double> stress;                  ///< at each time [Pa]
@@ -26,12 +26,12 @@ struct OscillatoryPlot {
   std::string time_unit = "s", stress_unit = "Pa";  ///< of what stands above in s, Hz and Pa; empty: reduced
 };
 
-/// Left: strain, and the stresses, against time, rest shaded. Right: the first stress against strain cycle by
-/// cycle, freed of offset and drift, with each stress' ellipse of G' and G'', which stand above. Throws input
-/// and file errors.
+/// Draws, on the left, strain and stresses against time, with the rests shaded; on the right, the first
+/// stress less offset and drift against strain, cycle by cycle, with the ellipse of G' and G'' of every
+/// stress. The moduli stand above. Throws input and file errors.
 void plot_oscillatory(const std::string& path, const OscillatoryPlot& plot);
 
-/// A stress against time, as the legend names it.
+/// A stress against time, with its name in the legend.
 struct NamedStress {
   std::string name;
   std::vector<double> stress;  ///< [Pa]
@@ -43,8 +43,8 @@ struct DynamicsPlot {
   std::vector<double> pressure;  ///< [Pa]; empty: not drawn
 };
 
-/// Strain (where it changes), shear stresses and pressure against time; where there is shear, stress against
-/// strain.
+/// Draws strain (if it changes), shear stresses and pressure against time; with shear, also stress against
+/// strain. Throws input and file errors.
 void plot_dynamics(const std::string& path, const DynamicsPlot& plot);
 
 }  // namespace supple

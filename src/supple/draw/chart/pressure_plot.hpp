@@ -6,7 +6,7 @@
 
 namespace supple {
 
-/// pressure = slope (packing fraction - onset).
+/// The line pressure = slope (packing fraction - onset).
 struct PressureFit {
   double onset, slope;
 };
@@ -18,8 +18,8 @@ struct PressureSeries {
   std::optional<PressureFit> fit = {};  ///< drawn as a line; its onset stands in the legend
 };
 
-/// linear: P against phi. log_pressure: log P against phi. log_excess: log P against log (phi - onset), where
-/// every series needs its fit. What a logarithmic axis cannot show is left out.
+/// linear: P against phi. log_pressure: log P against phi. log_excess: log P against log (phi - onset), for
+/// which every series needs its fit. Points that a logarithmic axis cannot show are left out.
 enum class PressureAxes { linear, log_pressure, log_excess };
 
 struct PressurePlotOptions {
@@ -30,8 +30,8 @@ struct PressurePlotOptions {
   double width = 300, height = 240;   ///< [pt]
 };
 
-/// Points, joined by a faint line in the order of the series, and the fits. The ending of `path` chooses png,
-/// jpg, svg, pdf or ps. Throws input and file errors.
+/// Draws points, joined by a faint line in the order of the series, and the fits. The ending of `path`
+/// chooses png, jpg, svg, pdf or ps. Throws input and file errors.
 void draw_pressure_plot(const std::string& path, const std::vector<PressureSeries>& series,
                         const PressurePlotOptions& options = {});
 

@@ -4,8 +4,8 @@
 
 namespace supple {
 
-/// "565 ± 17": the error with two digits, the value with the same decimals (at most twelve digits in all).
-/// Without an error (negative) five digits of the value; so, too, with an error of 0.
+/// A value beside its error, "565 ± 17": the error has two digits and the value as many decimals (at most
+/// twelve digits in all). Where the error is negative (not known) or 0, five digits of the value alone.
 std::string value_with_error(double value, double error);
 
 }  // namespace supple

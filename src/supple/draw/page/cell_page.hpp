@@ -12,15 +12,15 @@
 
 namespace supple {
 
-/// A number in its unit, with an SI prefix, or as it is in runs whose units have no names.
+/// A number with its unit and an SI prefix; in runs whose units have no names, the number alone.
 std::string shown(const Units& units, double in_si, const char* unit, Digits digits = Digits::fewest);
 
 class CellPage {
  public:
   static constexpr double edge = 10, title_height = 20, foot_height = 26, legend_width = 112;  ///< [pt]
 
-  /// cell_size: longer side of the unsheared cell [pt]; strain_room: strain of a leaning cell that finds
-  /// room; room: lengths of a cell that does, and whose longer side then is cell_size.
+  /// cell_size: longer side of the unsheared cell [pt]. strain_room: leaves room for the cell at this strain.
+  /// room: leaves room for a cell of these lengths, whose longer side then is cell_size.
   CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room,
            double dots_per_inch, const Vec2& room = {});
 
@@ -33,13 +33,14 @@ class CellPage {
 
   Point on_page(const Vec2& x) const;
 
-  /// Calls draw(share of white, what need not be drawn) for the faded surroundings and for the cell itself,
-  /// each clipped to where it shows. Along a direction that is not periodic everything shows, wherever it
-  /// lies.
+  /// Calls draw(whiteness, skipped) for the faded surroundings and for the cell itself, each clipped to where
+  /// it shows. `whiteness` is the share of white in colours; what lies as `skipped` says need not be drawn.
+  /// Along a direction that is not periodic everything shows, wherever it lies.
   void draw_matter(const std::function<void(double whiteness, Lies skipped)>& draw);
 
   void draw_title(const std::string& title);
-  /// About a quarter of the largest cell that the page holds: the same on all pages of a film.
+  /// Draws a scale bar, about a quarter of the largest cell that the page has room for, so that it is the
+  /// same on all pages of a film.
   void draw_scale_bar(const Units& units);
 
  private:

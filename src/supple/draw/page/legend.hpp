@@ -16,13 +16,13 @@ struct ContactStyle {
   const char* name;
   Color color;
 };
-/// In the order of drawing: the few that slip lie on top.
+/// Styles in the order of drawing: the few contacts that slip lie on top.
 inline constexpr std::array<ContactStyle, 3> contact_styles{
     {{ContactState::permanent, "crosslink", hex(0x555555)},
      {ContactState::stick, "contact, stick", hex(0x0033AA)},
      {ContactState::slip, "contact, slip", hex(0xCC1144)}}};
 
-/// Lines as wide as a force.
+/// Pens of contacts, as wide as their force.
 struct ContactLines {
   double full_force = 0;  ///< of a line of this width:
   double widest = 1;      ///< [pt]
@@ -35,19 +35,19 @@ struct ContactLines {
   }
 };
 
-/// Written from the top down.
+/// The legend of a picture, written from the top down.
 class Legend {
  public:
-  /// Down from `top`, right of `left` [pt].
+  /// Begins at `top`, right of `left` [pt].
   Legend(Canvas& canvas, double left, double top) : canvas_(canvas), x_(left), top_(top), y_(top + 6) {}
 
-  /// The bar of a number of bodies.
+  /// Adds the colour bar of a number of bodies.
   void color_bar(const BodyScalar& scalar, const ColorScale& scale, double height);
-  /// What the colours of particles mean where crosslinks may join bodies.
+  /// Adds what the colours of particles mean, in scenes whose bodies crosslinks may join.
   void particles(const Scene& scene);
-  /// Hatched bodies, where there are some. `hatch` draws the lines in a ring.
+  /// Adds hatched (held) bodies, if there are any; `hatch` draws the lines in a ring.
   void held(const Scene& scene, const std::function<void(const std::vector<Point>& ring)>& hatch);
-  /// States where they differ, and the widths of forces.
+  /// Adds the states of contacts, if they differ, and the widths of lines for forces.
   void contacts(const Scene& scene, const ContactLines& lines);
 
  private:

@@ -10,7 +10,7 @@
 
 namespace supple {
 
-/// A number of each body, shown as its colour. What is not finite is grey.
+/// A number of each body, shown as its colour. Numbers that are not finite are grey.
 struct BodyScalar {
   std::string label, unit;                              ///< at the colour bar; unit empty: dimensionless
   std::vector<double> value;                            ///< of each body
@@ -28,10 +28,10 @@ struct SnapshotOptions {
   Vec2 room = {};          ///< leave room for a cell of these lengths, and take its scale: likewise
 };
 
-/// Draws one instant: discs flattened where they overlap, polygons with the discs on their vertices or with a
-/// smooth boundary, in the sheared cell with its faded surroundings; what is held is hatched; contacts by
-/// state, as wide as their force; walls and plates; scale bar; legend. The ending of `path` chooses png, jpg,
-/// svg, pdf or ps. Throws input and file errors.
+/// Draws one instant: discs, flattened where they overlap, and polygons, with the discs on their vertices or
+/// a smooth boundary, in the sheared cell with its faded surroundings; contacts coloured by state and as wide
+/// as their force; hatches on bodies that are held; walls and plates; scale bar; legend. The ending of `path`
+/// chooses png, jpg, svg, pdf or ps. Throws input and file errors.
 void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options = {});
 
 }  // namespace supple

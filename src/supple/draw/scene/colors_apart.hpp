@@ -8,10 +8,10 @@
 
 namespace supple {
 
-/// Colour of each body of scenes that hold the same bodies. Bodies that crosslinks join share a colour; a
-/// disc that could be joined to others and is not is grey. Colours are used evenly; those that touch in one
-/// of the scenes differ while the palette allows it, and by as much as it allows. Other scenes may give other
-/// colours: pictures of one run that shall agree take those of the same scenes.
+/// The colour of each body in scenes of the same bodies. Bodies that crosslinks join share a colour; a disc
+/// that could be joined to others but is not is grey. Colours are used evenly. Particles that touch in one of
+/// the scenes get different colours while the palette allows it, and as different ones as it allows. Other
+/// scenes may give other colours, so pictures that shall agree must take those of the same scenes.
 std::vector<Color> colors_apart(std::span<const Scene> scenes);
 inline std::vector<Color> colors_apart(const Scene& scene) { return colors_apart(std::span(&scene, 1)); }
 

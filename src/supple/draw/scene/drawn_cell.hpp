@@ -1,5 +1,5 @@
-/// The sheared cell as pictures and exports show it: leaning about its mid-height by the least lean of equal
-/// lattices.
+/// The sheared cell as pictures and exports show it: it leans about its mid-height, by the smallest of the
+/// strains that give the same lattice of images.
 #pragma once
 #include <array>
 #include <span>
@@ -9,25 +9,25 @@
 
 namespace supple {
 
-/// Where something lies with respect to the cell; `across` where in doubt.
+/// Where something lies relative to the cell; `across` also where this is in doubt.
 enum class Lies { inside, across, outside };
 
-/// Strain of the cell as drawn. Images repeat along the flow, so a strain of Lx/Ly looks like none: the least
-/// lean of equal lattices, within +-Lx/(2 Ly).
+/// Strain of the cell as drawn, within +-Lx/(2 Ly). Images repeat along the flow, so that strains which
+/// differ by Lx/Ly have the same lattice; this is the smallest of them.
 double drawn_strain(const Box<2>& box);
 
 /// Corners of the leaning cell, anticlockwise from the lower left.
 std::array<Vec2, 4> cell_corners(const Box<2>& box);
 
-/// Where something made of points, or of discs of these radii about them, lies when moved by `shift`, with
-/// respect to a convex quadrilateral whose corners go anticlockwise, its sides moved out by `margin`.
+/// Where points, or discs of these radii about them, lie when moved by `shift`, relative to a convex
+/// quadrilateral with anticlockwise corners whose sides are moved out by `margin`.
 Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points,
              std::span<const double> radius = {}, const Vec2& shift = {}, double margin = 0);
 
-/// Brings x into the leaning cell by lattice vectors; a point inside keeps its bits.
+/// Brings x into the leaning cell by lattice vectors; a point inside stays the same to the last bit.
 Vec2 into_cell(const Box<2>& box, Vec2 x);
 
-/// Lattice vectors to the neighbouring cells that may show beside this one, none first.
+/// Lattice vectors to this cell (zero, first) and to the neighbouring cells that may show beside it.
 std::vector<Vec2> neighbour_cells(const Box<2>& box);
 
 }  // namespace supple

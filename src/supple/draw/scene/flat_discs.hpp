@@ -7,14 +7,14 @@
 
 namespace supple {
 
-/// The outline of a disc cut by the radical lines with its neighbours (its cell in the power diagram): such
-/// discs tile what they cover.
+/// The outline of a disc, cut by the lines through the crossings of its circle with those of its neighbours
+/// (its cell in the power diagram). Discs cut this way tile what they cover.
 struct FlatDisc {
   std::vector<Vec2> outline;         ///< anticlockwise, about its position
   std::vector<std::int32_t> across;  ///< body beyond the edge that starts at each point; -1: none
 };
 
-/// Of each body that is a disc, flattened by discs; empty for polygons.
+/// The outline of each body that is a disc, flattened by other discs; empty for polygons.
 std::vector<FlatDisc> flatten_discs(const Scene& scene);
 
 }  // namespace supple

@@ -7,7 +7,7 @@
 
 namespace supple {
 
-/// A body or a periodic image of it: its sites are at position + shift.
+/// A body or a periodic image of it: its sites are drawn at position + shift.
 struct DrawnBody {
   std::int32_t body;
   Vec2 shift;
@@ -21,12 +21,12 @@ struct ContactImage {
   Lies lies;
 };
 
-/// The bodies that come within `margin` of the leaning cell: each body once where it lies in the cell, in
-/// their order, then the images.
+/// The bodies that come within `margin` [length] of the leaning cell: first each body once, where it lies in
+/// the cell, in the order of bodies; then the images.
 std::vector<DrawnBody> lay_out_bodies(const Scene& scene, double margin);
 
-/// The contacts that come within `margin` of it, the shortest way between what touches. A link that has
-/// become longer than half the cell keeps its own image: that towards which its force says it goes.
+/// The contacts that come within `margin` of the leaning cell, drawn the shortest way. A link longer than
+/// half the cell keeps its own image: that in the direction of SceneContact::towards.
 std::vector<ContactImage> lay_out_contacts(const Scene& scene, double margin);
 
 }  // namespace supple

@@ -1,4 +1,5 @@
-/// Bodies at one instant, as exports and pictures take them: plain arrays, without the run they come from.
+/// Bodies at one instant, as exports and pictures take them: plain arrays, independent of the run that they
+/// come from.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -34,7 +35,8 @@ struct SceneContact {
   Vec2 towards{};        ///< from `first` to its image of `second`, any length; (0, 0): to the nearest image
 };
 
-/// How far a polygon reaches: the discs on its vertices, or everywhere their radius.
+/// What a polygon covers beside itself: the discs on its vertices (rough), or everything within their radius
+/// (smooth).
 enum class Boundary { rough, smooth };
 
 /// Sides of the cell that are solid.
@@ -42,8 +44,8 @@ struct Walls {
   bool left = false, right = false, bottom = false, top = false;
 };
 
-/// Sites [begin[b], begin[b+1]) form body b, as in Topology: one site is a disc; three or more are the
-/// vertices of a polygon, anticlockwise, its ring one connected copy that may stick out of the cell.
+/// Sites [begin[b], begin[b+1]) form body b, as in Topology. One site is a disc; three or more are the
+/// vertices of a polygon, anticlockwise, one connected copy of it that may stick out of the cell.
 struct Scene {
   Units units = reduced_units();
   Box<2> box;  ///< at its strain
@@ -69,11 +71,11 @@ struct Scene {
   }
   std::span<const Vec2> positions_of(std::int32_t b) const { return of_body(position, b); }
   std::span<const double> radii_of(std::int32_t b) const { return of_body(radius, b); }
-  /// Mean of its sites.
+  /// Mean of the sites of body b.
   Vec2 centre_of(std::int32_t b) const;
   bool is_disc(std::int32_t b) const { return body(b).second - body(b).first == 1; }
   std::int32_t particle_of(std::int32_t b) const { return particle.empty() ? b : particle[b]; }
-  /// Whether a plate or something else holds all of its sites.
+  /// Whether all sites of body b are held, by a plate or otherwise.
   bool is_held(std::int32_t b) const;
 
  private:
@@ -94,11 +96,12 @@ std::vector<std::int32_t> body_of_sites(const Scene& scene);
 /// Whether each body is a disc that crosslinks could join to others and do not.
 std::vector<bool> single_discs(const Scene& scene);
 
-/// Where bodies are put: each whole, moved by lattice vectors until the mean of its sites lies in the leaning
-/// cell (the cell as drawn); or with the positions of the run, from which displacements follow.
+/// Where bodies are put. in_cell: each is moved as a whole by lattice vectors until the mean of its sites
+/// lies in the leaning cell (drawn_cell.hpp). unwrapped: where they are in the run, so that displacements
+/// between frames can be computed.
 enum class Placement { in_cell, unwrapped };
 
-/// What to add to the positions of each body.
+/// The vector to add to the positions of each body.
 std::vector<Vec2> placement_shifts(const Scene& scene, Placement placement);
 
 /// The 99th percentile of the forces of contacts, in SI where the run has such units; 0 without contacts.
