@@ -1,4 +1,4 @@
-/// The figures of runs: what their experiment says that is drawn.
+/// The figures of runs: which one is drawn is said by the experiment (Figure).
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace supple {
 
-/// A word for the name of its file: "stress", "pressure", "force" or "energy".
+/// A word for the name of the file of a figure: "stress", "pressure", "force" or "energy".
 std::string_view figure_subject(Figure figure);
 
-/// Draws the figure of the run's experiment. Throws an input error where it has none or the run holds less
-/// than two rows of its table, and file errors.
+/// Draws the figure of the run's experiment. Throws an input error where the experiment has none or the table
+/// that it shows has less than two rows, and file errors.
 void draw_figure(const std::string& path, const RunFile& run);
 
 }  // namespace supple

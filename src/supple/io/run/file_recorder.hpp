@@ -16,22 +16,22 @@
 
 namespace supple {
 
-/// When data go to disk: after `seconds` of wall time (rarer in long runs, so that segments stay few), or
-/// when `bytes` have gathered.
+/// When data go to disk: after `seconds` of wall time (in long runs later, so that there are few segments),
+/// or when `bytes` are in memory.
 struct FlushSpec {
   double seconds = 5;
   std::size_t bytes = std::size_t{64} << 20;
 };
 
-/// Keeps a run in segments beside its place and merges them into the one file at finish(). Killed at any time
-/// it leaves every complete segment, which RunFile reads. Progress is for a derived class to show.
+/// Writes a run in segments beside `path` and merges them into one file at finish(). A run that is killed
+/// leaves every complete segment, which RunFile reads. A derived class may show progress.
 class FileRecorder : public Recorder {
  public:
   /// Throws a file error, before anything is computed, where `path` or its segments exist (unless they may be
   /// replaced) or cannot be written. An old file stays until the new one is complete.
   FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing = Existing::refuse,
                FlushSpec flush = {});
-  /// Without finish(): what is in memory still goes into a last segment.
+  /// Without finish(), writes what is in memory into a last segment.
   ~FileRecorder() override;
   FileRecorder(const FileRecorder&) = delete;
   FileRecorder& operator=(const FileRecorder&) = delete;
@@ -49,7 +49,7 @@ class FileRecorder : public Recorder {
   /// never began leaves nothing. Where the disk is full, as much as there is room for stays in segments, and
   /// the file error says what is lost. Asked again it says the same.
   void finish(const std::string& status);
-  /// Whether the run got as far as to leave a file of its own.
+  /// Whether the run got so far that it leaves a file.
   bool began() const { return info_.has_value(); }
   const std::string& path() const { return path_; }
 
@@ -77,12 +77,12 @@ class FileRecorder : public Recorder {
   std::optional<Error> failure_;  ///< of finish()
   int segments_ = 0;
   std::int64_t contacts_ = 0;  ///< rows of contacts in the segments so far
-  std::size_t bytes_ = 0;      ///< gathered since the last segment
+  std::size_t bytes_ = 0;      ///< in memory, since the last segment
   std::map<std::string, Table> tables_;
   std::vector<Frame> frames_;
   std::optional<Frame> last_frame_;                                 ///< its instant
   std::optional<std::map<std::string, std::size_t>> body_numbers_;  ///< names and lengths in the first frame
-  SystemNumbers first_numbers_;  ///< those of the first frame; where a later one has none it is nan
+  SystemNumbers first_numbers_;  ///< of the first frame; a number that a later one lacks is nan there
   std::vector<std::pair<std::string, RunValue>> values_;
   std::vector<std::string> warnings_;
   std::optional<std::pair<System<2>, Evaluation<2>>> final_;

@@ -1,4 +1,4 @@
-/// Reading a run: the finished file, or the segments of one that is going on or was killed.
+/// Reading a run: its finished file, or the segments of a run that is going on or was killed.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -13,11 +13,12 @@
 
 namespace supple {
 
-/// Everything about a run. All functions throw a file error where the file is damaged.
+/// Everything that a run file holds. All functions throw a file error where the file is damaged.
 class RunFile {
  public:
-  /// `path` is the run file or, where there is none, the run whose segments lie in `<path>.partial`, or that
-  /// folder. Throws a file error that tells apart missing, not HDF5, truncated, and HDF5 but not a run.
+  /// `path` is the run file; or, where there is none, the run whose segments lie in `<path>.partial`; or that
+  /// folder. Throws a file error that tells apart files that are missing, not HDF5, truncated, and HDF5 but
+  /// not a run.
   explicit RunFile(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -27,7 +28,7 @@ class RunFile {
   std::string experiment() const;
   std::string physics() const;
   std::int64_t seed() const;
-  /// The resolved case, as text and as values.
+  /// The resolved case, as TOML text and as values.
   std::string case_text() const;
   Case resolved_case() const;
   RunInfo info() const;
@@ -36,7 +37,7 @@ class RunFile {
   bool has_table(const std::string& table) const;
   std::vector<Column> columns(const std::string& table) const;
   std::int64_t rows(const std::string& table) const;
-  /// Throws a file error that lists the columns where there is none of that name.
+  /// The values of a column. Throws a file error that lists the columns where there is none of that name.
   std::vector<double> column(const std::string& table, const std::string& name) const;
 
   std::int64_t frames() const;
@@ -46,12 +47,12 @@ class RunFile {
   /// all, or in runs whose units have names as the frames do. Empty: none.
   std::string unit_of_bodies(const std::string& number) const;
 
-  /// Groups of numbers: constants, results, ...
+  /// Names of the groups of numbers: constants, results, ...
   std::vector<std::string> value_groups() const;
   /// The numbers of a group ("constants", "results", "material"), in the order they were written.
   std::vector<RunValue> values(const std::string& group) const;
   std::optional<double> find_value(const std::string& group, const std::string& name) const;
-  /// Throws a file error where there is no such number.
+  /// The number of this name. Throws a file error where there is none.
   double value(const std::string& group, const std::string& name) const;
   std::vector<std::string> warnings() const;
 
@@ -66,7 +67,7 @@ class RunFile {
     std::int64_t frames, contacts;  ///< rows in it
   };
   const h5::Group& segment(std::size_t index) const;
-  /// The same; of a segment that cannot be opened it says how to read those before it.
+  /// The same; where the segment cannot be opened, the error says how to read those before it.
   const h5::Group& first_look(std::size_t index) const;
   std::size_t segments() const { return segments_.size(); }
 

@@ -3,21 +3,21 @@
 /// what is new in it:
 ///
 ///     /             attributes: format, supple_version, compiler, experiment, physics, seed, status,
-///     unit_length,
-///                   unit_mass, unit_time (SI), units, sign_of_stress, definition_of_strain,
-///                   definition_of_phase
+///                   unit_length, unit_mass, unit_time (SI), units, sign_of_stress,
+///                   definition_of_strain, definition_of_phase
 ///     /case         the resolved case as TOML text; each key again as an attribute, "section.key"
 ///     /box /discs   the cell at the start; radius, mass, inertia, particle of each site; body_begin: sites
 ///                   [body_begin[b], body_begin[b+1]) form body b (absent for microgel discs)
 ///     /tables/T/C   column C of table T, one value per row; attributes unit, meaning
-///     /frames       step, time, ... (F); position, velocity, force (F, N, 2); angle, spin, torque, mobility
-///     (F, N);
-///                   length of the cell (F, 2); body/NAME (F, B): a number of each body, system/NAME (F): one
-///                   of all; contacts of frame k: rows contact_begin[k] .. + contact_count[k] of
-///                   contact_first, ... (all i < j)
-///     /constants /results /material /protocol   one scalar per number; attributes unit, meaning and, where
-///     known, error /warnings     texts /final_state  the whole system and its forces (see
-///     system_archive.hpp)
+///     /frames       F frames of N sites and B bodies: step, time, ... (F); position, velocity, force
+///                   (F, N, 2); angle, spin, torque, mobility (F, N); length of the cell (F, 2);
+///                   body/NAME (F, B), a number of each body; system/NAME (F), a number of the whole;
+///                   contacts of frame k: contact_count[k] rows of contact_first, ... from row
+///                   contact_begin[k] on (all first < second)
+///     /constants /results /material /protocol
+///                   one scalar per number; attributes unit, meaning and, where known, error
+///     /warnings     texts
+///     /final_state  the whole system and its forces (see system_archive.hpp)
 #pragma once
 #include <cmath>
 #include <string>
@@ -31,17 +31,18 @@ namespace supple {
 
 inline constexpr auto run_format = "supple run 1";
 
-/// A named number of a run; error < 0: none known.
+/// A named number of a run; error < 0: not known.
 using RunValue = MemoryRecorder::Value;
 
-/// "m/s" in SI units, "1e-06 m/s" in others, nothing where a run has no units.
+/// The text of a unit that is `in_si` of the SI unit `si`: "m/s", "1e-06 m/s", or nothing where a run has no
+/// units.
 std::string unit_text(const Units& units, double in_si, const char* si);
 
-/// Throws a file error, "the file is damaged", where what a run file says cannot be.
+/// Throws a file error, "the file is damaged", unless `good`; `what` says what cannot be.
 void expect_run(bool good, const h5::Object& object, const std::string& what);
-/// Strains, and places in cells, that no run reaches.
+/// A strain, or a place in cells, that no run reaches.
 inline constexpr double far_away = 1e9;
-/// Whether these are the lengths of a cell.
+/// Whether these can be the lengths of a cell.
 inline bool is_cell(const Vec2& length) {
   return length[0] > 0 && length[1] > 0 && std::isfinite(length[0]) && std::isfinite(length[1]);
 }
@@ -50,7 +51,7 @@ inline bool is_cell(const Vec2& length) {
 std::string partial_folder(const std::string& path);
 std::string segment_name(int index);
 
-/// The root's attributes but status, the case, and what the run is.
+/// Writes the attributes of the root (all but status), the case, and `info`.
 void write_header(h5::Group& root, const Case& resolved, const std::string& case_text, const RunInfo& info);
 RunInfo read_info(const h5::Group& root);
 Case read_stored_case(const h5::Group& root);
@@ -58,11 +59,11 @@ Case read_stored_case(const h5::Group& root);
 void write_value(h5::Group& group, const RunValue& value);
 std::vector<RunValue> read_values(const h5::Group& group);
 
-/// Writes frames, which hold the same sites and name the same numbers of bodies; contacts begin at row
+/// Writes frames, which must have the same sites and the same names of numbers; their contacts begin at row
 /// `contacts` of the run.
 void write_frames(h5::Group& root, const std::vector<Frame>& frames, const Units& units,
                   std::int64_t contacts);
-/// Frame `k` of this file, whose contacts start at row `contacts` of the run. Throws a file error where its
+/// Frame `k` of this file, whose first contact is row `contacts` of the run. Throws a file error where its
 /// arrays do not fit the sites, bodies and frames of the run.
 Frame read_frame(const h5::Group& frames, std::uint64_t k, std::int64_t contacts, const RunInfo& info);
 

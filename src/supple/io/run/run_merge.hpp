@@ -7,8 +7,8 @@
 
 namespace supple {
 
-/// Writes all segments of `run` as the one run file `path`, which is put together in memory. Throws file
-/// errors; the segments stay as they are.
+/// Writes all segments of `run` as one run file `path`, with this status. The file is put together in memory.
+/// Throws file errors; the segments stay as they are.
 void save_merged(const RunFile& run, const std::string& status, const std::string& path, Existing existing);
 
 }  // namespace supple

@@ -9,16 +9,16 @@
 
 namespace supple {
 
-/// What bodies can be coloured by: "id" (particles that touch differ), and the numbers that frame k keeps of
-/// each body.
+/// What bodies can be coloured by: "id" (particles that touch get different colours), and the numbers that
+/// frame k holds of each body.
 std::vector<std::string> body_colors(const RunFile& run, std::int64_t k);
 
-/// Draws frame k with the walls that stand then. `color`: one of body_colors; empty: "id". All pictures of a
-/// run by "id" have the same colours: those that are apart in its first and its last frame. Throws an input
-/// error where there is no such frame or colour.
+/// Draws frame k with the walls that stand at that instant. `color` is one of body_colors(); empty: "id". All
+/// pictures of a run by "id" have the same colours, chosen so that bodies that touch in its first or last
+/// frame differ. Throws an input error where there is no such frame or colour.
 void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const std::string& color = "");
 
-/// Frame of image k: the images are spread over the frames from the first to the last.
+/// The frame of image k, where `images` images are spread over the frames from the first to the last.
 std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames);
 
 /// Draws `images` evenly spaced frames, first and last included (all where there are fewer), as
@@ -30,8 +30,8 @@ std::int64_t draw_frames(const std::string& folder, const std::string& ending, c
                          std::int64_t images, const std::string& color = "",
                          const std::function<void(std::int64_t done, std::int64_t total)>& progress = {});
 
-/// The stress figure: plot_oscillatory where moduli were found, else plot_dynamics. Throws an input error
-/// where the run has no stress series.
+/// Draws stress against time: plot_oscillatory() where moduli were found, else plot_dynamics(). Throws an
+/// input error where the run has no series of stress.
 void draw_run_plot(const std::string& path, const RunFile& run);
 
 }  // namespace supple
