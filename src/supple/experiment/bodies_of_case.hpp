@@ -15,10 +15,10 @@ struct BodySizes {
   explicit BodySizes(const Bodies& b);
 
   int bodies() const { return particles + discs; }
-  /// Vertices and discs of all of them: up to 1e11 for keys in their ranges.
+  /// Vertices and discs of all particles: up to 1e11 for keys in their ranges.
   std::int64_t sites() const;
   bool is_large(int body) const { return body >= particles - large && body < particles; }
-  /// Preferred area: of small particles and extra discs 1.
+  /// Preferred area; 1 for small particles and extra discs.
   double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
   /// Particles of one kind are drawn alike: small, large, extra discs.
   int kind(int body) const { return body >= particles ? 2 : is_large(body) ? 1 : 0; }
@@ -40,10 +40,10 @@ struct Enclosure {
   std::array<bool, 2> periodic{true, true};
 };
 
-/// How large the particles are, and the cell that they are for.
+/// Sizes of the particles, and the cell that they are for.
 struct LooseBodies {
-  std::vector<double> radius;  ///< of the circle round each
-  double area = 0;             ///< that all of them cover
+  std::vector<double> radius;  ///< of the circle round each particle
+  double area = 0;             ///< that all particles cover when apart
   Box<2> cell;
 };
 

@@ -16,11 +16,11 @@ namespace supple {
 
 struct Soundness;
 
-/// What happens when particles get into each other (contact.unsound).
+/// What a run does when particles get into each other (contact.unsound): it stops, or marks the state and
+/// goes on.
 enum class OnUnsound { stop, mark };
 
-/// Everything that an experiment on bodies needs. Pressures are in units of `pressure_unit` where users see
-/// them.
+/// Everything that an experiment on bodies needs. Pressures that users see are in units of `pressure_unit`.
 struct Packing {
   System<2> system;
   std::shared_ptr<ForceField> field;
@@ -30,21 +30,21 @@ struct Packing {
   ForceTolerance tolerance;
   MinimiseSpec minimise;
   bool contact_pressure = false;  ///< P is that of contacts alone
-  double covered_area = 0;        ///< of all bodies as they were when the packing was made
-  double shape_area = 0;          ///< of their polygons and discs then
+  double covered_area = 0;        ///< by all bodies when the packing was made [length^2]
+  double shape_area = 0;          ///< of their polygons and discs then, overlaps counted twice
   OnUnsound on_unsound = OnUnsound::stop;
-  Box<2> cell;                       ///< that it begins in; the system's own, but for particles set apart
-  std::optional<System<2>> relaxed;  ///< the last state in equilibrium that no look refused: remember()
+  Box<2> cell;                       ///< at first: that of the system, except for particles set apart
+  std::optional<System<2>> relaxed;  ///< the last sound state in equilibrium: remember()
 };
 
-/// Where the particles of a case are put.
+/// Where the particles that a case makes are put.
 enum class Places {
   random,  ///< in the cell, apart
-  apart    ///< far apart in a square array, at no cost: for numbers that do not depend on where they are
+  apart    ///< far apart in a square array, in no time: for numbers that do not depend on the places
 };
 
-/// What becomes of the flow, the links and the memory of a state that was sheared: the flow stops, links are
-/// refused and contacts forget; or all go on.
+/// What becomes of flow, links and contact memory of a state that was sheared. stopped: the flow stops,
+/// contacts forget, and links are an input error. kept: all of them go on.
 enum class Flow { stopped, kept };
 
 struct Making {
@@ -53,20 +53,19 @@ struct Making {
   Flow flow = Flow::stopped;
 };
 
-/// The particles of the case at random positions that do not overlap in a square periodic cell of this
-/// packing fraction, or the packing that the case starts from. Input errors where the case asks for what
-/// cannot be.
+/// The particles of the case at random positions without overlap in a square periodic cell of this packing
+/// fraction, or the particles of `initial`. Throws input errors where the case asks for what cannot be.
 Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction,
                      const Making& making = {});
 
-/// The same between four walls, height over width as given; no particle reaches beyond a wall as far as there
-/// is room. The packing fraction is that of the area between the walls. A state to start from is taken with
-/// its box; input error where that is periodic.
+/// The same between four walls, with this height over width; as far as there is room no particle reaches
+/// beyond a wall. The packing fraction is of the area between the walls. A state keeps its own box; input
+/// error where that is periodic, under gravity or without some of the walls.
 Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
                            double aspect_ratio, const Making& making = {});
 
-/// The same for experiments that change the size of the cell. Input error where the state to start from is
-/// not periodic.
+/// make_packing() for experiments that change the size of the cell, at jamming.packing_fraction. Input error
+/// where `initial` is not periodic.
 Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// The force field that the case describes.
@@ -75,8 +74,9 @@ std::shared_ptr<ForceField> make_body_field(const Case& c);
 /// The walls that the case describes.
 WallLaw wall_law(const Case& c);
 
-/// What a packing is at rest, as far as a search needs it; packing_fraction is near: what the bodies covered
-/// at first, times the change of their polygons' area (covered_fraction is right, and takes longer).
+/// What a search needs to know of a packing at rest. The packing fraction is an estimate: the area covered at
+/// first, times the change of the area of polygons and discs since, over the area of the cell.
+/// covered_fraction() is right and takes longer.
 struct PackingState {
   double packing_fraction = 0, pressure = 0, contact_pressure = 0,
          full_pressure = 0;  ///< pressures in pressure_unit
@@ -84,30 +84,32 @@ struct PackingState {
   double energy = 0;
 };
 
-/// Minimises the energy in the present cell. Not to converge is no error: the report says so. Where the user
-/// asked to stop, and where energies are not finite, it goes back to `relaxed` and throws.
+/// Minimises the energy in the present cell. Where it does not converge the report says so; this is no error.
+/// Where the user asks to stop, or energies are not finite, the packing goes back to `relaxed` and an error
+/// is thrown.
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
 
-/// Keeps the state as `relaxed` where its minimisation converged and no run would have to stop at it.
+/// Keeps the state as `relaxed` if its minimisation converged and no run must stop at it (must_stop).
 void remember(Packing& packing, const MinimiseReport& report, const Soundness& soundness);
 
 /// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its
-/// tolerance; `where` says of which state.
+/// tolerance; `where` names the state in the error.
 void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where);
 
 /// Goes back to `relaxed` and throws where a minimisation was interrupted or met numbers that are not finite.
 void require_going_on(Packing& packing, const MinimiseReport& report);
 
-/// An energy that no equilibrium of this pressure [pressure_unit] with the present contacts is below: 2 P V =
-/// sum f r <= sqrt(2 U K), K = sum k r^2, by Cauchy and Schwarz. 0 where line tension makes pressure without
-/// energy, and where contacts are not harmonic.
+/// A lower bound [energy] of the energy U of an equilibrium at this pressure P [pressure_unit] with the
+/// present contacts. The inequality of Cauchy and Schwarz gives 2 P A = sum f r <= sqrt(2 U K) with K = sum k
+/// r^2 over all springs, A the area of the cell. 0 where line tension makes pressure without energy, and
+/// where contacts are not harmonic.
 double least_energy(Packing& packing, double pressure);
 
-/// The packing fraction as it is now; for rough particles by the published sum, which is much faster and as
-/// good below deep overlap.
+/// The packing fraction as it is now; for rough particles by rough_sum(), which is much faster and as good
+/// unless overlaps are deep.
 double covered_fraction(const Packing& packing);
 
-/// Observables at the present state.
+/// Pressures, stress, energy and estimated packing fraction of the present state.
 PackingState observe(Packing& packing);
 
 }  // namespace supple

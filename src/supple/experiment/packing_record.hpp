@@ -10,22 +10,22 @@
 
 namespace supple {
 
-/// How packings are made to derive numbers from, and to run.
+/// How packings are made: to derive numbers from them, and to run.
 inline const Making set_apart{Places::apart, {}, Flow::stopped};
 inline Making at_random(const Recorder& recorder) {
   return {Places::random, [&recorder] { return recorder.stop_requested(); }, Flow::stopped};
 }
 
-/// Numbers that are known before the run.
+/// Numbers of a packing that are known before the run.
 std::vector<Derived> derived_packing(const Packing& packing);
-/// The same for experiments that minimise, with what they call equilibrium.
+/// The same for experiments that minimise, with the tolerances of equilibrium.
 std::vector<Derived> derived_equilibria(const Packing& packing);
 
-/// Begins the run: sizes, bodies, constants. From then on minimisations of the packing heed the recorder's
-/// stop requests.
+/// Begins the run: records sizes, bodies and constants. From then on minimisations of the packing stop when
+/// the recorder asks for it.
 void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
 
-/// Everything that is said of a packing at one instant.
+/// Everything that is recorded of a packing at one instant.
 struct PackingReport {
   Evaluation<2> evaluation;
   std::vector<ContactRecord<2>> records;
@@ -41,37 +41,37 @@ struct PackingReport {
 };
 PackingReport report_packing(Packing& packing);
 
-/// What the column "unsound" of a table says.
+/// The meaning of the column "unsound" of tables.
 inline constexpr const char* unsound_meaning =
     "particles that have got into another one, cross themselves, or have holes between their vertices";
 
-/// Names of the columns that every table of packings has, and their numbers: phi, pressures, contacts,
+/// The columns that every table of packings has, and a row of them: packing fraction, pressures, contacts,
 /// rattlers, energy, residual, work.
 std::vector<Column> packing_columns(const Packing& packing);
 std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
 
-/// Closed: particles fill a cell. Open: they lie where there is room: neither a packing fraction nor a
-/// stress.
+/// closed: particles fill a cell. open: they lie in more room than they fill, so that there is no packing
+/// fraction and no stress.
 enum class Surroundings { closed, open };
 
-/// The instant of the report: positions, forces, contacts, of each body its stress, shape, contacts; energies
-/// and, closed, stresses of the whole.
+/// The frame at the instant of the report: positions, forces, contacts; stress, shape and contacts of each
+/// body; energies and, if closed, stresses of the whole.
 Frame packing_frame(const Packing& packing, const PackingReport& report,
                     Surroundings surroundings = Surroundings::closed);
 
-/// Results of a packing, its last frame and its state. Warns of what the reader must know: bodies inside
-/// others, minimisations that did not converge. Without minimisations in `progress` the particles move: no
-/// work is recorded, and stresses have their kinetic part.
+/// Records the results of a packing, its last frame and its state. Warns of bodies inside others and of
+/// minimisations that did not converge. If `progress` has no minimisations the particles move: then no work
+/// is recorded, and stresses have their kinetic part.
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
                     Surroundings surroundings = Surroundings::closed);
 
-/// Walls and gravity of a packing as they are.
+/// Walls and gravity of a packing as they are now.
 Environment environment_of(const Packing& packing);
 
-/// The same of a packing in a cell, with what it is there: a frame, its fraction, pressures and residual.
+/// The same for a packing in a closed cell, with a frame, its packing fraction, pressures and residual.
 void hand_over_packing(Packing& packing, Recorder& recorder);
 
-/// The state as it is, for a run that ends early.
+/// Hands over the state as it is, for a run that ends early.
 void hand_over(Packing& packing, Recorder& recorder);
 
 }  // namespace supple
