@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As a shell takes it for one word.
+/// The text, quoted so that a shell takes it as one word.
 std::string as_word(const std::string& name) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) || std::string_view("_./-+=,:@%").find(c) != std::string_view::npos;
@@ -85,7 +85,7 @@ std::string section_text(const std::string& section) {
   return text.substr(begin, end == text.npos ? end : end - begin);
 }
 
-/// The rows of this name: the experiment on each kind of particles.
+/// The experiments of this name, one for each kind of particles.
 std::vector<Experiment> experiments_of(const std::string& name) {
   std::vector<Experiment> rows;
   for (const Experiment& e : experiments())

@@ -25,8 +25,7 @@ namespace supple::command {
 
 namespace {
 
-/// What pictures show by default: the frame of the largest strain, the first of several; without strain the
-/// last.
+/// The frame that pictures show by default: the first one with the largest strain; without strain, the last.
 std::int64_t telling_frame(const RunFile& run) {
   std::int64_t best = 0;
   double largest = 0;
@@ -38,7 +37,7 @@ std::int64_t telling_frame(const RunFile& run) {
   return largest > 0 ? best : run.frames() - 1;
 }
 
-/// Some formats hold one kind of particles.
+/// Throws an input error where the format cannot hold the particles of the run.
 void check_matter(const std::string& run_path, const std::string& format, const Matter& wanted,
                   const std::string& to_do) {
   const Matter& there = *experiment_of(RunFile(run_path).resolved_case()).matter;

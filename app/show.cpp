@@ -51,13 +51,13 @@ Json values_json(const std::vector<RunValue>& values) {
   return j;
 }
 
-/// Empty where the particles come from a file, which knows only their stiffnesses.
+/// The family of the particles; empty where they come from a file, which knows only stiffnesses.
 std::string family_of(const RunFile& run) {
   const Case c = run.resolved_case();
   return c.initial.state.empty() && c.initial.packing.empty() ? c.bodies.family : "";
 }
 
-/// What the run holds: numbers for programs, and in words.
+/// What the run holds, in numbers for programs and in words.
 struct Contents {
   Json sizes;
   std::string text;
@@ -70,7 +70,7 @@ Contents discs_of(const RunInfo& info) {
                       particle_count(info), cell[0], cell[1])};
 }
 
-/// The cell at the last frame: it is what packings are made to change.
+/// The cell at the last frame, as packings change theirs.
 Contents bodies_of(const RunFile& run, const RunInfo& info) {
   const BodyCounts count = count_bodies(info);
   const std::string family = family_of(run);

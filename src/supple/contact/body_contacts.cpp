@@ -5,10 +5,10 @@ namespace supple {
 namespace {
 
 /// d2U / dx_a dx_b of a record under U(d) [energy/length^2]. The distance d has the gradient c_a n by site a.
-/// With y = sum c_a dx_a, d turns
-///     between two points by     d'' = (y.y - (n.y)^2)/d,
-///     between a point and an edge of length L along t, z the difference of the edge's ends, by     d'' = -2
-///     (t.y)(n.z)/L - d (n.z)^2/L^2.
+/// Its second derivative d'' along displacements dx_a is, with y = sum c_a dx_a,
+///     d'' = (y.y - (n.y)^2)/d                          between two points,
+///     d'' = -2 (t.y)(n.z)/L - d (n.z)^2/L^2            between a point and an edge of length L along t,
+/// z being the displacement of the end of the edge less that of its start.
 class Curvature {
  public:
   Curvature(const ContactRecord<2>& record, const BodyLaw& law, double edge_length)

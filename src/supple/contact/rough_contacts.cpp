@@ -69,7 +69,8 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Law& la
   return total;
 }
 
-/// Each site adds its contacts in ascending order of the partner, as the serial scatter does: the same bits.
+/// Each site adds its contacts in ascending order of the partner. The serial scatter has the same order, so
+/// the bits agree.
 void RoughContacts::gather(const PairTable& pairs, int sites, Evaluation<2>& out) {
   back_rows_.update(pairs, sites);
   for_chunks(sites, [&](std::int64_t, std::int64_t begin, std::int64_t end) {

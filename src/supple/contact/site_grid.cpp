@@ -22,7 +22,7 @@ long floor_divide(long a, long n) { return a >= 0 ? a / n : -((n - 1 - a) / n); 
 
 }  // namespace
 
-/// A site that looks round in one level: where it is as seen from the image at hand, and what it has found.
+/// The search of a site in one level: its position relative to the image at hand, and the sites found.
 template <int Dim>
 struct SiteGrid<Dim>::Search {
   const Level& level;
@@ -56,7 +56,8 @@ SiteGrid<Dim>::SiteGrid(const System<Dim>& system, const std::vector<double>& ra
   }
 }
 
-/// As wide as its pairs reach, or wider: no more than four cells a site.
+/// Makes cells as wide as the pairs of the level reach, or wider where there would be more than four cells
+/// for each site.
 template <int Dim>
 void SiteGrid<Dim>::choose_cells(Level& level) const {
   const double width = 2 * level.radius + skin_, most = 4.0 * static_cast<double>(level.site.size()) + 8;
@@ -133,7 +134,7 @@ void SiteGrid<Dim>::search_rows(int d, long row, Search& search) const {
   search.at = at;
 }
 
-/// Cells of a row lie behind one another: they are searched in one go up to each end of the box.
+/// The cells of a row follow each other in memory and are searched in one go, up to each end of the box.
 template <int Dim>
 void SiteGrid<Dim>::search_row(long row, Search& search) const {
   const Level& level = search.level;

@@ -10,7 +10,7 @@ namespace supple {
 
 namespace {
 
-/// The parts of a candidate that act, and those that say that the site may be inside.
+/// Which parts of a candidate act on the site, and which say that the site may be inside.
 template <class Flag>
 struct Parts {
   Flag faces_edge, behind_edge;  ///< within sigma of the edge, on its outer or inner side
@@ -56,7 +56,7 @@ inline Foot foot_on(const CornerPlace<double, bool>& at, const EdgeCandidate& c,
           edge ? at.along * per_square : 0};
 }
 
-/// What the candidates look at.
+/// What candidates are compared with.
 struct Scene {
   const System<2>& system;
   const std::vector<EdgeCandidate>& candidates;
@@ -81,8 +81,8 @@ inline VecOf<Four, 2> side_by_side(const Vec2& a, const Vec2& b, const Vec2& c, 
   return {Four{a[0], b[0], c[0], d[0]}, Four{a[1], b[1], c[1], d[1]}};
 }
 
-/// The few candidates that matter now, so that the loop over them need not guess which: four at a time, which
-/// takes a third less than one by one, by the same operations.
+/// Lists the few candidates that matter now, so that the loop over them has no branches that cannot be
+/// predicted. Four are looked at in one go, by the same operations as one, which saves a third of the time.
 void select(const Scene& scene, std::vector<std::int32_t>& selected) {
   const std::size_t n = scene.candidates.size();
   selected.resize(n);
@@ -112,8 +112,8 @@ void select(const Scene& scene, std::vector<std::int32_t>& selected) {
   selected.resize(count);
 }
 
-/// The nearest part of the boundary, if the site sees its inner side: a site is inside where it is behind
-/// what is nearest to it, because from outside something of the boundary would lie between.
+/// The nearest part of the boundary, if the site is behind it. Then the site is inside: from outside, another
+/// part of the boundary would be nearer.
 struct Inside {
   const EdgeCandidate* candidate = nullptr;  ///< null: not inside
   Part part = Part::edge;
@@ -203,7 +203,7 @@ void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
   }
 }
 
-/// Selects what matters now, less the contacts of linked pairs.
+/// Selects the candidates that matter now, without the contacts of linked pairs.
 void SmoothContacts::select_acting(const System<2>& system) {
   select({system, candidates_.all(), candidates_.shifts(system.box), law().range()}, selected_);
   if (linked_.empty()) return;

@@ -42,7 +42,7 @@ constexpr Foreign words[] = {
 
 bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// The name that begins at `at`, or where `at` stands behind it, the one that ends there.
+/// The name that begins at `at` or, where none does, the one that ends there.
 std::string name_at(const std::string& text, std::size_t at) {
   at = std::min(at, text.size());
   while (at > 0 && is_name_part(text[at - 1])) --at;

@@ -34,7 +34,7 @@ Error exists(const std::string& path) {
                     "choose another name, remove it, or overwrite it with --force");
 }
 
-/// Only a regular file may give way to a new one: what reads from a pipe, a device or a link would lose it.
+/// Only a regular file may be replaced by a new one: readers of a pipe, a device or a link would lose it.
 void check_can_replace(const std::string& path) {
   const fs::file_type type = fs::symlink_status(path).type();
   if (type == fs::file_type::not_found || type == fs::file_type::regular) return;
@@ -46,7 +46,7 @@ void check_can_replace(const std::string& path) {
       "choose another name or remove it; the name - is standard output where a command can write there");
 }
 
-/// Links resolved where there are any; of what is not there yet, the name in full.
+/// The place that a path means, with links resolved; for what does not exist yet, its absolute path.
 fs::path place_of(const std::string& path) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(path), error);

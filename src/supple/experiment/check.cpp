@@ -14,7 +14,7 @@ namespace supple {
 
 namespace {
 
-/// Of a number that cannot be computed with, a run would say no more than that a force is not finite.
+/// Refuses numbers that cannot be computed with, because a run would only say that a force is not finite.
 void check_numbers(const Case& c, Problems& problems) {
   for_each_key(c, [&]<class P>(const std::string& key, const Field<P>& field, const P& values) {
     const auto* member = std::get_if<double P::*>(&field.member);
@@ -25,7 +25,7 @@ void check_numbers(const Case& c, Problems& problems) {
   });
 }
 
-/// The experiment has to be about the particles that the case asks for.
+/// Refuses an experiment that is not about the particles that the case asks for.
 void check_matter(const Case& c, Problems& problems) {
   const Experiment& e = experiment_of(c);
   const Matter* asked = asked_matter(c);

@@ -31,7 +31,7 @@ std::vector<double> pressure_list(const Case& c) {
   return list;
 }
 
-/// What is remembered of the packing at the pressure before.
+/// What is kept of the packing at the pressure before.
 struct Snapshot {
   std::vector<ContactNetwork::Pair> pairs;  ///< between particles that are no rattlers
   std::vector<std::uint8_t> rattlers;
@@ -164,8 +164,8 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     ++done;
   };
   try {
-    // A packing that is already compressed goes on from its pressure: taking it back first would change it.
-    // It comes back to all pressures of the list.
+    // A packing that is compressed already goes on from its pressure, because decompressing it first would
+    // change it. On the way back it goes through all pressures of the list.
     if (initial) {
       const MinimiseReport report = relax(packing);
       require_converged(packing, report, "the packing to start from");

@@ -8,7 +8,7 @@ namespace supple {
 
 namespace {
 
-/// What body b prefers.
+/// Preferred area and edges of a body.
 struct Preferred {
   double area, length;  ///< of an edge, in the mean
   int edges;
@@ -20,10 +20,10 @@ Preferred preferred(const System<2>& system, std::size_t b) {
   return {system.shape.rest_volume[b], perimeter / (end - first), end - first};
 }
 
-/// Discs and rigid bodies are not.
+/// Whether a body is deformable; discs and rigid bodies are not.
 bool is_soft(const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0 || k.hinge > 0 || k.tension > 0; }
 
-/// Stiffnesses of the case's kind that are `k` in absolute numbers, for those that the user did not give.
+/// Sets the stiffnesses that the user did not give to `k`, in the kind of the case (absolute or relative).
 void adopt_stiffness(Case& c, const ShapeStiffness& k, const Preferred& p) {
   const bool relative = c.bodies.stiffness == "relative";
   const auto adopt = [&](const char* key, double& of_case, double absolute, double scale) {

@@ -42,7 +42,7 @@ void assign(const Field& field, Section& section, const KeyValue& value) {
 
 bool is_held(Role role) { return role == Role::law || role == Role::sample; }
 
-/// Numbers to the rounding of units.
+/// Whether two values are the same; numbers to 1e-9, as units round them.
 bool same(const KeyValue& a, const KeyValue& b) {
   const auto number = [](const KeyValue& v) -> std::optional<double> {
     if (const auto* x = std::get_if<double>(&v)) return *x;

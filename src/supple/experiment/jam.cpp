@@ -75,7 +75,8 @@ class Search {
     throw lost(low, high_);
   }
 
-  /// Longer steps while nothing resists, and the chapter's where something does; then the root.
+  /// Steps that grow while nothing resists, and the chapter's steps where something does; then the root
+  /// search.
   JamProgress stride(Point low) {
     for (double step = spec_.step;;) {
       const Point next = minimised(low.system, low.density + step, low.density);
@@ -138,8 +139,9 @@ class Search {
     return false;
   }
 
-  /// Far enough to know the side of the window, and all the way within a factor of two of it. True if so
-  /// little energy is left that the pressure is below, whatever the rest of the way would do.
+  /// Minimises the packing, within a factor of two of the window to the full tolerance, elsewhere until it is
+  /// clear on which side of the window it is. True if so little energy is left that the pressure must end
+  /// below the window.
   bool minimise_coarsely() {
     const ForceTolerance exact = packing_.tolerance;
     packing_.tolerance.relative = std::max(exact.relative, spec_.coarse);
@@ -162,7 +164,7 @@ class Search {
     progress_.evaluations += report.evaluations;
   }
 
-  /// A contact force at this pressure, roughly.
+  /// A typical contact force at this pressure [force].
   double force_at(double pressure) const {
     double diameter = 0;
     for (const double r : packing_.system.state.radius) diameter += 2 * r / packing_.system.state.size();
@@ -175,11 +177,12 @@ class Search {
     return progress_;
   }
 
-  /// From which end of the interval a root search starts its minimisations. A packing that has jammed stays
-  /// jammed on the way down to densities at which it had not yet on the way up.
+  /// From which end of the interval a root search starts its minimisations. On the way down a packing stays
+  /// jammed at densities at which it had not jammed on the way up.
   enum class From { below, above };
 
-  /// Already above: goes down by growing steps until below, then searches between, from the state above.
+  /// The search from a state that is above already: goes down by growing steps until below, then searches
+  /// between the last two, starting from the one above.
   JamProgress descend(Point high, double first_step) {
     if (jammed(high)) return accept(high);
     for (double step = first_step;; step *= 1.5) {

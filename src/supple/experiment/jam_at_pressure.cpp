@@ -58,11 +58,11 @@ class Press {
  private:
   static constexpr int most_rounds = 20;
   static constexpr double longest_stride = 0.02;
-  /// What a contact may yield under the force that one particle bears [contact distance]: at ten times that
-  /// vertices pass each other.
+  /// How far a contact may yield under the force that one particle bears [contact distance]. Vertices pass
+  /// each other at ten times as much.
   static constexpr double most_yield = 0.01;
 
-  /// Through the stages, where contacts are harder than the shapes.
+  /// Minimises in stages with softened contacts, where contacts are harder than the shapes.
   void soften() {
     const auto& shapes = packing_.system.shape.stiffness;
     const auto bears = [](const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0; };
@@ -75,7 +75,8 @@ class Press {
     }
   }
 
-  /// With contacts as they are: true in the window; false if the pressure is lost again and again.
+  /// Minimises with contacts as they are. True once the pressure is in the window; false if it is lost
+  /// repeatedly.
   bool harden() {
     for (int k = 0, losses = 0; k < most_rounds && losses < 2; ++k) {
       press(1, k < 3 ? coarse_tolerance() : packing_.tolerance);
@@ -92,7 +93,7 @@ class Press {
     return false;
   }
 
-  /// Share of their stiffness that contacts need at so many times the pressure.
+  /// Share of their stiffness that contacts need at `times` the wanted pressure.
   double stiffness_needed(double times) const {
     const System<2>& s = packing_.system;
     const int bodies = s.topology.body_count(s.state.size());
@@ -109,7 +110,7 @@ class Press {
     return {std::max(exact.relative, spec_.coarse), std::max(exact.least, spec_.coarse * force)};
   }
 
-  /// Of vertices.
+  /// Mean diameter of the vertices.
   double mean_diameter() const {
     double sum = 0;
     for (const double r : packing_.system.state.radius) sum += 2 * r;
@@ -141,7 +142,7 @@ class Press {
     }
   }
 
-  /// A minimum of the enthalpy at so many times the pressure.
+  /// Goes to a minimum of the enthalpy at `times` the wanted pressure.
   void press(double times, const ForceTolerance& tolerance) {
     for (int k = 0; k < most_rounds; ++k) {
       const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = ratio_,
@@ -150,8 +151,8 @@ class Press {
       CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false},
                               ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
-      // Numbers are those of the cell at the start, and the pressure that of all forces: begin anew where
-      // either has changed.
+      // The numbers of an objective are those of the cell at its construction, and its pressure is that of
+      // all forces: a new one is made where either has changed.
       const auto watch = [&](const MinimiseReport&) {
         if (k < 2) learn_ratio(ratio * wanted);
         return std::abs(ratio_ - ratio) < 0.3 * ratio &&
@@ -168,8 +169,8 @@ class Press {
     }
   }
 
-  /// The minimiser knows the pressure of all forces: how much of it contacts bear is learnt on the way, where
-  /// it is about what it shall be.
+  /// The minimiser prescribes the pressure of all forces. Where the pressure of contacts is wanted, the ratio
+  /// of the two is measured whenever the former is about right.
   void learn_ratio(double pressure) {
     if (!packing_.contact_pressure) return;
     const PackingState s = observe(packing_);

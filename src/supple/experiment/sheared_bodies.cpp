@@ -32,7 +32,7 @@ void refuse_rigid(const Packing& packing) {
                       "choose another family, or discs (bodies.family = \"disc\")");
 }
 
-/// Links them, where the case says so and they are not.
+/// Links the particles, if the case asks for it and they are not linked yet.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
   if (c.particles.permanent_links && packing.system.links.empty())
     recorder.value("results", {"clusters", "", "clusters of particles that links hold together"},

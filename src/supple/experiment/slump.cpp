@@ -47,7 +47,7 @@ double hang(System<2>& s, double width, double spacing, double widest, std::int6
   return rows * spacing;
 }
 
-/// The walls without a lid.
+/// Walls without a lid, and with or without the right one.
 WallLaw open_box(const Case& c, bool right_wall) {
   WallLaw walls = wall_law(c);
   walls.stands[gradient][1] = false;
@@ -150,7 +150,8 @@ class MovingHeap {
   }
 
  private:
-  /// Before that even a heap that is about to fall hardly moves [sqrt(1/gravity)].
+  /// Time before which a heap does not count as at rest, as even one about to fall hardly moves at first
+  /// [sqrt(1/gravity)].
   static constexpr double time_to_start = 10;
 
   void take_frame() {
@@ -158,12 +159,12 @@ class MovingHeap {
     widen_box();
     recorder_.frame(packing_frame(packing_, report_packing(packing_), Surroundings::open));
   }
-  /// Pictures show all of a heap that has spread.
+  /// Widens the box so that pictures show all of a heap that has spread.
   void widen_box() {
     if (!packing_.field->walls()->stands[flow][1])
       packing_.system.box.length[flow] = std::max(packing_.system.box.length[flow], 1.05 * heap_.front);
   }
-  /// An instant has one row.
+  /// Measures the heap and adds a row, one for each instant.
   void append() {
     heap_ =
         measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
@@ -220,8 +221,8 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   }
 }
 
-/// That with which a particle loses its velocity while it falls by its diameter. A state that was simulated
-/// without drag has none to hand on.
+/// The drag with which a particle loses its velocity while it falls by its diameter, unless one is given;
+/// also for a state from a run without drag.
 void choose_damping(Case& c) {
   if (!c.is_given("motion.damping") && c.motion.damping == 0) c.motion.damping = std::sqrt(c.slump.gravity);
 }

@@ -18,14 +18,14 @@ namespace supple {
 
 namespace {
 
-/// Between four walls, as the case says or as a state was left; the strain counts from here.
+/// The packing between four walls, of the case or of a state; the strain counts from here.
 Packing boxed_packing(const Case& c, const InitialState* initial, const Making& making) {
   Packing p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio, making);
   put_at_rest(p.system);
   return p;
 }
 
-/// What the particles would cover if none overlapped [length^2].
+/// Area that the particles would cover if none overlapped [length^2].
 double lone_area(const Packing& packing) {
   System<2> apart = packing.system;
   const int bodies = apart.topology.body_count(apart.state.size());
@@ -86,7 +86,7 @@ void lower_wall(System<2>& s, double height) {
   s.box.length[gradient] = height;
 }
 
-/// All walls together, until the pressure is the one before the compression.
+/// Moves all walls together until the pressure is that from which the compression starts.
 JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
   JamSpec spec;
   spec.pressure = c.uniaxial.pressure;

@@ -67,7 +67,7 @@ std::vector<double> solve(std::vector<std::vector<double>> m, std::vector<double
 
 /// Samples with begin <= t < end.
 std::span<const Sample> samples_in(const Series& series, const Protocol& p, const Window& w) {
-  const double tolerance = 1e-6 / p.frequency;  // of times that were summed up
+  const double tolerance = 1e-6 / p.frequency;  // for times that are sums of steps
   const auto at = [&](double time) {
     return std::lower_bound(series.begin(), series.end(), time - tolerance,
                             [](const Sample& s, double t) { return s.time < t; });
@@ -75,8 +75,8 @@ std::span<const Sample> samples_in(const Series& series, const Protocol& p, cons
   return {at(w.begin), at(w.end)};
 }
 
-/// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours, the
-/// last one's next being the first, a window later: even sampling gets even weights.
+/// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours; after
+/// the last sample comes the first one again, a window later. Even sampling has even weights.
 std::vector<double> fit(const Series& series, const Protocol& p, const Window& w, const Model& model) {
   const std::span<const Sample> samples = samples_in(series, p, w);
   const std::size_t n = model.size(), count = samples.size();
@@ -120,8 +120,9 @@ void remove_ramp(Series& series, double slope, double from) {
   for (Sample& s : series) s.stress -= slope * (s.time - from);
 }
 
-/// A ramp that is fitted beside a few harmonics takes up some of those that are not fitted. What it is wrong
-/// by shows from cycle to cycle, as harmonics of any order do not: two and more cycles correct it.
+/// A ramp fitted together with a few harmonics takes up a part of the harmonics that are not fitted.
+/// Harmonics of any order are the same in all cycles, so that with two or more cycles the rest of the ramp is
+/// found from the change of the constant from cycle to cycle.
 Demodulation fit_all(Series series, const Protocol& p) {
   Demodulation result;
   const int cycles = result.cycles = whole_number<int>(std::floor(p.periods - first_measured(p) + 1e-9),

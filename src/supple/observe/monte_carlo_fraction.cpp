@@ -125,7 +125,7 @@ Bounds sampled_region(std::span<const BodyShape> bodies, const Box<2>& box) {
   return region;
 }
 
-/// Cells are worth their making where some points fall on each, and all of them fit a cache.
+/// Number of cells: making a cell pays if several points fall on it, and all cells should fit the cache.
 int raster_level(std::int64_t points) {
   int level = 4;
   while (level < 10 && (std::int64_t{1} << (2 * (level + 1))) * 4 < points) ++level;

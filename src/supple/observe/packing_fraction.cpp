@@ -10,7 +10,7 @@
 namespace supple {
 namespace {
 
-/// Where a curve of the outline comes from: it cannot be covered by that.
+/// The part of its body that a curve of an outline belongs to; that part cannot cover the curve.
 enum class Source { disc, edge, offset_edge, corner };
 
 struct OutlineCurve {
@@ -26,7 +26,7 @@ struct Piece {
   double t0, t1;
 };
 
-/// Curves that hold the whole outline of a body, and parts that lie inside it.
+/// Curves that together hold the outline of a body; parts of them may lie inside the body.
 std::vector<OutlineCurve> outline_curves(const BodyShape& body, Outline outline) {
   std::vector<OutlineCurve> curves;
   const auto add = [&](const Curve& curve, Source source, int site) {
@@ -67,8 +67,8 @@ std::vector<Interval> heights_of(const std::vector<OutlineCurve>& curves) {
   return heights;
 }
 
-/// A body with what is asked of its outline. A point on its outline, to within `tolerance`, is not covered by
-/// it, so that bodies which only touch keep both their outlines.
+/// A body, and whether it covers points. It does not cover points on its outline, to within `tolerance`, so
+/// that bodies which only touch keep both outlines.
 class Body {
  public:
   Body(const BodyShape& shape, Outline outline, double tolerance)
@@ -93,7 +93,7 @@ class Body {
   }
 
  private:
-  /// Within the radius of a site (rough) or of an edge (smooth), but for those two.
+  /// Whether x is within the radius of a site (rough) or of an edge (smooth) other than these two.
   bool reached(const Vec2& x, int except, int or_except) const {
     const bool discs = shape_.is_disc() || outline_ == Outline::rough;
     for (const std::int32_t k : edges_.at(x[1])) {
@@ -120,7 +120,7 @@ class Body {
   Bands edges_;  ///< by height
 };
 
-/// Sorted ends of the pieces between cuts.
+/// Sorts the cuts of a curve and adds its two ends.
 void finish_cuts(std::vector<double>& cuts) {
   cuts.insert(cuts.end(), {0.0, 1.0});
   std::sort(cuts.begin(), cuts.end());

@@ -43,7 +43,7 @@ void edges_in(const BodyShape& shape, const Vec2& shift, const Bounds& region, s
             [](const Edge& a, const Edge& b) { return a.bounds.low[0] < b.bounds.low[0]; });
 }
 
-/// Of a ring, without the discs at its vertices.
+/// Bounds of a ring, without the discs at its vertices.
 Bounds bounds_of_ring(const BodyShape& shape) {
   Bounds bounds{shape.ring[0], shape.ring[0]};
   for (const Vec2& x : shape.ring) bounds.include({x, x});
@@ -148,7 +148,7 @@ class Look {
   Soundness out_;
 };
 
-/// Bodies with a coordinate that is no number, or so large that differences are none.
+/// Marks bodies with a coordinate that is not finite, or so large that differences have no digits left.
 Soundness find_not_finite(const System<2>& system) {
   Soundness out;
   const int bodies = system.topology.body_count(system.state.size());

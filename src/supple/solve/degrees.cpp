@@ -9,7 +9,7 @@ namespace supple {
 
 static_assert(sizeof(Vec2) == 2 * sizeof(double), "positions are copied as numbers");
 
-/// How a site moves with one number, and which number that is.
+/// The index of a number, and dx/dq of a site for it.
 struct BodyDegrees::Column {
   std::int32_t index;
   Vec2 slope;
@@ -101,7 +101,7 @@ BodyDegrees::Columns BodyDegrees::columns_of(const System<2>& system, std::int32
 
 namespace {
 
-/// Where every number is a coordinate of a site: nothing to look up.
+/// The Hessian where every number is a coordinate of a site, so that nothing must be looked up.
 void copy_blocks(const HessianBlocks<2>& blocks, std::vector<MatrixEntry>& entries) {
   for (const HessianBlock<2>& block : blocks)
     for (int c = 0; c < 2; ++c)
@@ -127,7 +127,7 @@ void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& block
         double value = 0;
         for (int c = 0; c < 2; ++c)
           for (int d = 0; d < 2; ++d) value += p.slope[c] * block.h[c][d] * q.slope[d];
-        // The transposed block of two sites of one rigid body falls on the same numbers.
+        // For two sites of one rigid body the transposed block has the same numbers.
         if (block.a != block.b && p.index == q.index) value *= 2;
         entries.emplace_back(std::max(p.index, q.index), std::min(p.index, q.index), value);
       }

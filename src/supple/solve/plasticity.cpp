@@ -12,7 +12,7 @@ namespace supple {
 
 namespace {
 
-/// Preferred length or area after dt at the present x.
+/// Preferred length or area after the time dt, while the present one stays x.
 double flowed(double rest, double x, double yield, double dt_per_time) {
   if (!(std::abs(x - rest) > yield * rest) || !(x > 0)) return rest;
   const double edge = x > rest ? 1 + yield : 1 - yield, end = x / edge;

@@ -12,11 +12,11 @@ std::uint64_t product(const Shape& shape, std::size_t from = 0) {
   return n;
 }
 
-/// An array of at most so many bytes stands in the header of its dataset, with its checksum.
+/// An array of at most this many bytes is kept in the header of its dataset, which has a checksum.
 constexpr std::uint64_t compact_bytes = 2048;
-/// A scalar has no pieces: it stands there up to the most that a header takes.
+/// A scalar cannot be in pieces: it is in the header, which takes at most this many bytes.
 constexpr std::uint64_t header_bytes = 60000;
-/// A piece holds about so many: one that is read for a single frame costs little.
+/// Bytes of a piece, about: little enough to read a piece for a single frame.
 constexpr std::uint64_t piece_bytes = 32768;
 
 /// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout

@@ -21,10 +21,9 @@ using Node = JsonNode;
 constexpr const char* protocol_numbers[] = {
     "dt", "cool_factor", "steps", "f", "amplitude", "pre", "periods", "post", "removed_stress"};
 
-// ---- reading
-// -----------------------------------------------------------------------------------------------------
+// Reading.
 
-/// Plates take the discs that touch them: r < y < Ly - r is free [package rule 3.5].
+/// Plates take the discs that touch them, as in the published package: free are those with r < y < Ly - r.
 Mobility mobility_at(double y, double radius, double height) {
   if (radius < y && y < height - radius) return Mobility::free;
   return y > 0.5 * height ? Mobility::upper_plate : Mobility::lower_plate;
@@ -219,8 +218,7 @@ InitialState read_run(const std::string& path) {
   return out;
 }
 
-// ---- writing
-// -----------------------------------------------------------------------------------------------------
+// Writing.
 
 const char* type_name(ContactState state) {
   return state == ContactState::permanent ? "permanent" : state == ContactState::slip ? "slip" : "stick";
