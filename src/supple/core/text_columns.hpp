@@ -24,8 +24,8 @@ std::string hang_words(std::string_view begin, std::string_view text, std::size_
 /// Width of each column of a table: that of its widest cell.
 std::vector<std::size_t> widths_of(const std::vector<std::vector<std::string>>& rows);
 
-/// A row of a table: its cells, left-aligned in columns of these widths with two spaces between them; then
-/// the words of `text`, as hang_words() lays them out.
+/// A row of a table: its cells, left-aligned in columns of these widths with two spaces before each; then the
+/// words of `text`, as hang_words() lays them out.
 std::string table_row(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
                       std::string_view text);
 

@@ -14,7 +14,8 @@ namespace supple::h5 {
 /// Lengths of an array, outermost first.
 using Shape = std::vector<std::uint64_t>;
 
-/// An open group or dataset, closed by the destructor. Each of them may have attributes.
+/// An open object of HDF5 (group, dataset, type, ...), closed by the destructor. Groups and datasets may have
+/// attributes.
 class Object {
  public:
   Object() = default;
