@@ -24,6 +24,7 @@ std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, d
 template <int Dim>
 double least_period(const System<Dim>& system, const std::vector<double>& reach);
 
+/// A period that is too short: its direction, its length and the least allowed [length].
 struct ShortPeriod {
   int direction;
   double length, least;

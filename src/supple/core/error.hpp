@@ -8,6 +8,7 @@ namespace supple {
 /// The kind decides the exit code of the command.
 enum class ErrorKind { input = 2, numerics = 3, file = 4, interrupted = 130 };
 
+/// An error with its kind and a message for the user.
 class Error : public std::runtime_error {
  public:
   /// The message reads "what (why); to_do": what is wrong, why it is, and what the user can do. `why` and

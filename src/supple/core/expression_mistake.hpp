@@ -9,6 +9,7 @@ class ParserError;
 
 namespace supple {
 
+/// What is wrong, and what to do about it.
 struct ExpressionMistake {
   std::string why,
       to_do;  ///< `to_do` is empty where only the general list of what a formula may hold helps

@@ -71,6 +71,7 @@ struct Jet {
   friend bool operator==(const Jet& a, const Jet& b) { return a.value == b.value; }
 };
 
+/// Functions of a Jet, by the chain rule.
 template <class S, int N>
 Jet<S, N> sqrt(const Jet<S, N>& x) {
   using std::sqrt;

@@ -12,6 +12,7 @@ inline int& thread_count() {
   return count;
 }
 
+/// Items in a chunk, and chunks of n items.
 inline constexpr std::int64_t chunk_size = 256;
 inline std::int64_t chunk_count(std::int64_t n) { return (n + chunk_size - 1) / chunk_size; }
 

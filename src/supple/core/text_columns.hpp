@@ -6,6 +6,7 @@
 
 namespace supple {
 
+/// Columns of a page of text on a terminal.
 inline constexpr std::size_t page_width = 80;
 
 /// Number of columns that UTF-8 text takes, one for each character.

@@ -6,6 +6,7 @@
 
 namespace supple {
 
+/// A vector of Dim components of type S: double, or a Jet, which carries derivatives.
 template <class S, int Dim>
 struct VecOf {
   S e[Dim]{};

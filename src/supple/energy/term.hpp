@@ -62,6 +62,7 @@ double term_gradient(const Points<Term, Dim>& x, const typename Term::Param& p, 
 template <class Term, int Dim>
 using TermHessian = std::array<std::array<double, Term::arity * Dim>, Term::arity * Dim>;
 
+/// The second derivatives at x, by automatic differentiation (Jet).
 template <class Term, int Dim>
 TermHessian<Term, Dim> term_hessian(const Points<Term, Dim>& x, const typename Term::Param& p) {
   constexpr int n = Term::arity * Dim;

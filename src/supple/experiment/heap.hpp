@@ -9,6 +9,7 @@
 
 namespace supple {
 
+/// What is measured of a heap at one instant; energies in units of the run.
 struct Heap {
   double time = 0, kinetic = 0, potential = 0;
   double height = 0;          ///< mean height of the mass [length]

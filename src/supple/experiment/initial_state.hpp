@@ -65,6 +65,7 @@ void for_each_wall(AnyEnvironment& e, Visit&& visit) {
   visit("lid", e.stands[gradient][1]);
 }
 
+/// A state to start from, with what its file says besides the system.
 struct InitialState {
   Units units;
   System<2> system;

@@ -18,6 +18,7 @@ namespace supple {
 ///   pressed on each other.
 enum class JamSearch { chapter, root, pressure };
 
+/// The search, and when it is done.
 struct JamSpec {
   JamSearch search = JamSearch::root;
   double pressure = 1e-7, window = 0.01;  ///< done when 1 < P/pressure < 1 + window [pressure unit]
@@ -46,6 +47,7 @@ using JamCallback = std::function<bool(const JamProgress&)>;
 bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback,
                      JamProgress& progress);
 
+/// Whether 1 < pressure/spec.pressure < 1 + spec.window.
 bool in_window(const JamSpec& spec, double pressure);
 
 /// Throws an input error where the cell is so small that a body meets itself, or one neighbour through two

@@ -47,6 +47,7 @@ enum class Places {
 /// contacts forget, and links are an input error. kept: all of them go on.
 enum class Flow { stopped, kept };
 
+/// How a packing is made.
 struct Making {
   Places places = Places::random;
   StopRequest stop_requested;  ///< asked while particles find their places

@@ -39,6 +39,7 @@ class TermBlock {
   }
 };
 
+/// A term on stencils of Term::arity sites each, with one parameter set for all of them or one for each.
 template <class Term, int Dim>
 class StencilBlock final : public TermBlock<Dim> {
  public:

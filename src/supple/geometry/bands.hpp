@@ -8,6 +8,7 @@
 
 namespace supple {
 
+/// A closed interval of a line.
 struct Interval {
   double low, high;
 };

@@ -15,6 +15,7 @@ struct Ring {
   bool is_disc() const { return end - begin < 3; }
 };
 
+/// The ring of a body.
 inline Ring ring_of(const Topology<2>& topology, std::int32_t body) {
   return {topology.body_begin(body), topology.body_end(body)};
 }

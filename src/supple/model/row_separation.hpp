@@ -9,6 +9,7 @@
 
 namespace supple {
 
+/// The cells of an image as numbers, by direction.
 template <int Dim>
 Vec<Dim> cells_of(const RowImage& image) {
   Vec<Dim> cells;

@@ -13,6 +13,7 @@
 
 namespace supple {
 
+/// The whole state of a simulation.
 template <int Dim>
 struct System {
   Box<Dim> box;

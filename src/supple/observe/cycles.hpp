@@ -14,6 +14,7 @@ struct Sample {
 };
 using Series = std::vector<Sample>;
 
+/// Phase 2 pi (frequency t - pre) of the oscillation at a time [radian].
 inline double phase_of(const Protocol& p, double time) {
   return 2 * std::numbers::pi * (time * p.frequency - p.pre);
 }

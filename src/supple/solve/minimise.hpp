@@ -13,6 +13,7 @@ enum class Minimiser { automatic, fire, newton };
 /// The minimiser called "auto", "fire" or "newton"; throws an input error for other names.
 Minimiser minimiser_named(std::string_view name);
 
+/// Which minimiser, and when it ends.
 struct MinimiseSpec {
   Minimiser method = Minimiser::automatic;
   long max_evaluations = 1'000'000;  ///< evaluations and factorisations together

@@ -8,6 +8,7 @@
 
 namespace supple {
 
+/// Parameter of Newton.
 struct NewtonSpec {
   int memory =
       12;  ///< steps whose change of gradient corrects the factorisation; 0: a factorisation every step

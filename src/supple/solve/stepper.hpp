@@ -18,6 +18,7 @@ enum class Plates { none, capture, repulsive };
 
 class EnergyBalance;
 
+/// Moves a system in a cell that may be sheared, step by step.
 class Stepper {
  public:
   virtual ~Stepper() = default;

@@ -18,6 +18,7 @@ struct Lanes {
   }
 };
 
+/// Sum of a_i b_i.
 inline double dot(std::span<const double> a, std::span<const double> b) {
   Lanes lanes;
   Lanes::Eight x, y;

@@ -21,6 +21,7 @@ PictureFormat picture_format(const std::string& path);
 /// A place on the page in points (1/72 inch) from its upper left corner, y downward.
 using Point = Vec2;
 
+/// How a line is drawn.
 struct Pen {
   Color color = ink;
   double width = 0.75;            ///< [pt]

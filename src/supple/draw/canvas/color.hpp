@@ -13,6 +13,7 @@ struct Color {
   friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
+/// The colour 0xRRGGBB.
 constexpr Color hex(std::uint32_t rgb) {
   return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
 }

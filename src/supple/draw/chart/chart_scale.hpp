@@ -8,6 +8,7 @@
 
 namespace supple {
 
+/// A tick of an axis.
 struct AxisTick {
   double at;          ///< SI
   std::string label;  ///< empty: a small tick

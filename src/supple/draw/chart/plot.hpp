@@ -18,6 +18,7 @@ struct StressEstimate {
          drift = 0;  ///< taken out of the loop: offset [Pa] + drift [Pa/s] times the time since shear began
 };
 
+/// What the figure of an oscillatory run shows.
 struct OscillatoryPlot {
   std::vector<double> time, strain;                 ///< [s], [1]; time 0 is the start of the first rest
   std::vector<StressEstimate> stresses;             ///< the loops are those of the first
@@ -37,6 +38,7 @@ struct NamedStress {
   std::vector<double> stress;  ///< [Pa]
 };
 
+/// What the figure of any other run in shear shows.
 struct DynamicsPlot {
   std::vector<double> time, strain;  ///< [s], [1]
   std::vector<NamedStress> stresses;

@@ -34,6 +34,7 @@ enum class Cells {
 void write_vtp(const std::string& path, const Scene& scene, Existing existing = Existing::refuse,
                Placement placement = Placement::in_cell, Cells cells = Cells::polygons);
 
+/// Corners of the polygon as which a disc is drawn.
 inline constexpr int disc_corners = 32;
 
 /// A frame of a collection: its time and its file, relative to the folder of the collection.

@@ -10,12 +10,14 @@
 
 namespace supple {
 
+/// The components of vectors, vector after vector.
 template <int Dim>
 std::span<const double> flat(const std::vector<Vec<Dim>>& vectors) {
   static_assert(sizeof(Vec<Dim>) == Dim * sizeof(double));
   return {reinterpret_cast<const double*>(vectors.data()), Dim * vectors.size()};
 }
 
+/// The numbers of tuples, tuple after tuple.
 template <std::size_t N>
 std::span<const std::int32_t> flat(const std::vector<std::array<std::int32_t, N>>& tuples) {
   static_assert(sizeof(std::array<std::int32_t, N>) == N * sizeof(std::int32_t));
@@ -29,6 +31,7 @@ std::span<const std::uint8_t> codes(const std::vector<Enum>& values) {
   return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size()};
 }
 
+/// Vectors from their components, the inverse of flat().
 template <int Dim>
 std::vector<Vec<Dim>> vectors_from(const std::vector<double>& numbers) {
   std::vector<Vec<Dim>> out(numbers.size() / Dim);
@@ -37,6 +40,7 @@ std::vector<Vec<Dim>> vectors_from(const std::vector<double>& numbers) {
   return out;
 }
 
+/// Tuples from their numbers, the inverse of flat().
 template <std::size_t N>
 std::vector<std::array<std::int32_t, N>> tuples_from(const std::vector<std::int32_t>& numbers) {
   std::vector<std::array<std::int32_t, N>> out(numbers.size() / N);
@@ -45,6 +49,7 @@ std::vector<std::array<std::int32_t, N>> tuples_from(const std::vector<std::int3
   return out;
 }
 
+/// Enums from their numbers, the inverse of codes().
 template <class Enum>
 std::vector<Enum> enums_from(const std::vector<std::uint8_t>& values) {
   std::vector<Enum> out;

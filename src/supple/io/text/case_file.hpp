@@ -18,6 +18,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<std::string>& overrides = {});
 
+/// Which keys of a case are written, and how.
 enum class CaseStyle {
   all,  ///< every key with its meaning; keys that were not given are commented out, holding their default
   commented,  ///< the same for the keys that the experiment uses

@@ -13,6 +13,7 @@ std::optional<std::string_view> meant_truth(std::string_view text);
 /// text is no whole number.
 std::string how_to_write_integer(std::string_view text);
 
+/// What is wrong, and what to do about it.
 struct TomlMistake {
   std::string why, to_do;  ///< both empty where the line does not tell
 };
