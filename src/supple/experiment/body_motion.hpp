@@ -7,8 +7,9 @@
 
 namespace supple {
 
-/// Time step [time] of the case or, unless keys of [time] were given, of the run to go on from, so that the
-/// bits are the same; else step_factor times the share `of_limit` of the stability limit (default_step).
+/// Time step [time]. Without keys of [time] it is that of the run to go on from, so that the bits are the
+/// same; else time.step or, where that is 0, step_factor times the share `of_limit` of the stability limit
+/// (default_step).
 double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit);
 
 /// The plastic law of the case; nullopt where preferred shapes stay.

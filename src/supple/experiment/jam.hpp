@@ -40,6 +40,7 @@ struct JamProgress {
 /// The packing fraction that the search has reached; of a settled state the exact one, as it will be
 /// reported.
 double reached_fraction(const Packing& packing, const JamProgress& progress);
+/// Called after each minimisation; returns false to stop.
 using JamCallback = std::function<bool(const JamProgress&)>;
 
 /// Searches by minima of the enthalpy (JamSearch::pressure). False if these do not lead to a packing in the

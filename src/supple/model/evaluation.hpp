@@ -14,7 +14,7 @@ namespace supple {
 /// a vector.
 template <int Dim>
 struct PairForce {
-  Vec<Dim> normal;            ///< unit vector from first to the nearest image of second
+  Vec<Dim> normal;            ///< unit vector from first to the image of second that the row is about
   double distance = 0;        ///< between the centres [length]
   double elastic = 0;         ///< repulsion, positive [force]; negative: tension of a link
   double viscous = 0;         ///< viscous repulsion: positive on approach [force]
