@@ -30,7 +30,7 @@ cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned int
 
 bool is_raster(PictureFormat format) { return format == PictureFormat::png || format == PictureFormat::jpg; }
 
-/// Even, because video encoders refuse frames of odd size.
+/// Pixels of a length, an even number, because video encoders refuse frames of odd size.
 int even_pixels(double points, double scale) { return 2 * static_cast<int>(std::ceil(points * scale / 2)); }
 
 [[noreturn]] void fail_jpeg(j_common_ptr info) {
@@ -83,7 +83,7 @@ std::string encode_jpeg(cairo_surface_t* image) {
 
 namespace {
 
-/// Of the header of PostScript, so that the same picture has the same bytes.
+/// Removes the date from the header of PostScript, so that the same picture has the same bytes.
 void remove_date(std::string& bytes) {
   const std::size_t begin = bytes.find("\n%%CreationDate:");
   if (begin != std::string::npos) bytes.erase(begin, bytes.find('\n', begin + 1) - begin);

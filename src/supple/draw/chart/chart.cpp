@@ -20,7 +20,7 @@ constexpr Color band_text = gray;
 
 using Interval = std::pair<double, double>;
 
-/// Of what the axis can show; from infinity to -infinity where there is nothing.
+/// The range of the values that the axis can show; from infinity to -infinity where there are none.
 Interval range_of(const ChartPanel& panel, std::vector<double> ChartSeries::*values, const ChartAxis& axis) {
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const ChartSeries& s : panel.series)

@@ -41,8 +41,8 @@ ChartSeries points_of(const PressureSeries& s, PressureAxes axes, Color color) {
   return points;
 }
 
-/// From the onset (of what a logarithmic axis shows: from the least point above it) to the last point of the
-/// series.
+/// The line of a fit, from the onset (on a logarithmic axis, from the least point above it) to the last point
+/// of the series.
 ChartSeries line_of(const PressureSeries& s, PressureAxes axes, Color color) {
   ChartSeries line{"", {}, {}, {}, mix(color, black, 0.25), Marks::line, 0.9, {4, 2}};
   double from = s.fit->onset, to = s.fit->onset;
@@ -66,7 +66,7 @@ ChartSeries line_of(const PressureSeries& s, PressureAxes axes, Color color) {
   return line;
 }
 
-/// That of what shows, and a little more, so that no point lies on the frame.
+/// The range of x of the points that show, and a little more, so that no point lies on the frame.
 std::optional<std::pair<double, double>> range_of_x(const ChartPanel& panel) {
   std::pair range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const ChartSeries& s : panel.series)

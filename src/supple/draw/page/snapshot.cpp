@@ -122,7 +122,7 @@ class SnapshotPage {
     return out;
   }
 
-  /// Bodies and contacts, faded to this share of white, but for those that lie where nothing shows.
+  /// Draws bodies and contacts, faded to this share of white, without those that lie where nothing shows.
   void draw_matter(double whiteness, Lies skipped) {
     const auto shade = [&](Color c) { return mix(c, white, whiteness); };
     for (const DrawnBody& image : bodies_)
@@ -176,7 +176,7 @@ class SnapshotPage {
     }
   }
 
-  /// But for crosslinks within a particle, contacts stand out by a halo.
+  /// Draws a contact. All but crosslinks within a particle stand out by a halo.
   void draw_contact(const ContactImage& line, Color halo, Color color) {
     const SceneContact& contact = scene_.contacts[line.contact];
     const Point from = page_.on_page(line.from), to = page_.on_page(line.to);

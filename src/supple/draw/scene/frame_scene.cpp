@@ -8,13 +8,14 @@ namespace supple {
 
 namespace {
 
-/// Along the normal of a contact, which follows from its force: F = -N n + T t, t being n turned left.
+/// A vector along the normal n of a contact, which follows from its force F = -N n + T t, t being n turned
+/// left.
 Vec2 direction(const ContactRow& c) {
   return -c.normal_force * c.force - c.tangential_force * turned_left(c.force);
 }
 
-/// Of each body: discs that crosslinks join share a particle, a polygon is one of its own. Empty where bodies
-/// are not those of microgels, of which none are joined.
+/// The particle of each body: discs that crosslinks join share one, a polygon is one of its own. Empty where
+/// no bodies are joined.
 std::vector<std::int32_t> particles_of_bodies(const RunInfo& info, const Scene& scene) {
   if (info.body_begin.empty()) return info.particle;
   std::vector<std::int32_t> particle;

@@ -12,8 +12,8 @@ std::int32_t next_of(const Scene& scene, const std::vector<std::int32_t>& body, 
   return i + 1 < last ? i + 1 : first;
 }
 
-/// The vector to the image of a site that goes this way; that to the nearest image, `nearest`, where no way
-/// is told or none fits it better.
+/// The vector to an image of a site: to the one in the direction `way`, or to the nearest, `nearest`, where
+/// `way` is zero or no other image fits it better.
 Vec2 shortest_along(const Vec2& nearest, const Vec2& way, const std::vector<Vec2>& cells) {
   constexpr double rounding = 1e-6;
   if (way == Vec2{}) return nearest;

@@ -32,7 +32,8 @@ void check_rows(const RunFile& run, const std::string& table) {
                       "it holds less than two rows of its table '" + table + "'");
 }
 
-/// The search, but for pressures far below the wanted one: they are zero, or what the minimiser left.
+/// Draws the search without the points far below the wanted pressure, which are zero or what the minimiser
+/// left.
 void plot_jamming(const std::string& path, const RunFile& run) {
   const Case c = run.resolved_case();
   const std::string kind = c.jamming.pressure_kind == "contact" ? "contact_pressure" : "pressure";
@@ -120,7 +121,7 @@ void plot_motion(const std::string& path, const RunFile& run) {
   draw_chart(path, {{column}, 340, 300});
 }
 
-/// How each is drawn, and from which table of the run.
+/// How each figure is drawn, and from which table of the run.
 struct Drawing {
   Figure figure;
   std::string_view subject;

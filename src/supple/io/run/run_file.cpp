@@ -19,7 +19,7 @@ std::vector<std::string> segments_in(const std::string& folder) {
   return paths;
 }
 
-/// Of an array with one number a row.
+/// Length of an array with one number in a row.
 std::int64_t length_of(const h5::Group& group, const std::string& name) {
   const h5::Shape shape = group.shape(name);
   expect_run(shape.size() == 1, group, name + " is no column");

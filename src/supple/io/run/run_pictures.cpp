@@ -68,7 +68,7 @@ class RunScenes {
     return scene;
   }
 
-  /// Has pages, forces and colours of all pictures fit this one.
+  /// Widens what all pictures share, so that pages, forces and colours fit this one.
   void fit(const Scene& scene) {
     common_.full_force = std::max(common_.full_force, strongest_force(scene));
     common_.strain_room = std::max(common_.strain_room, std::abs(drawn_strain(scene.box)));

@@ -16,18 +16,18 @@ Protocol protocol_of(const RunFile& run) {
           constant("post_periods")};
 }
 
-/// A stress of the table, as columns and results name it, and as a legend does.
+/// A stress of the table: its name in columns and results, and its name in the legend.
 struct StressName {
   const char* key;
   const char* legend;
 };
-/// Those that do not depend on where the cell is cut.
+/// Stresses that do not depend on where the cell is cut.
 constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}};
 constexpr StressName published_stresses[] = {{"internal", "internal (overall tensor)"},
                                              {"external", "external forces"}};
 
-/// What the figure of a run shows: what its moduli are to be taken from, or, of the published program, what
-/// it draws.
+/// The stresses that the figure of a run shows: those from which moduli are to be taken or, of the published
+/// program, those that it draws.
 std::vector<StressName> drawn_stresses(const RunFile& run, const Case& c) {
   if (is_package(c)) return {std::begin(published_stresses), std::end(published_stresses)};
   std::vector<StressName> there;
@@ -37,8 +37,8 @@ std::vector<StressName> drawn_stresses(const RunFile& run, const Case& c) {
   return there;
 }
 
-/// Series and moduli as the run holds them; offset and drift, which it does not hold, from the series: the
-/// fit's, around which the cycles lie, whatever the stress was at rest.
+/// Series and moduli as the run holds them. It does not hold offset and drift: they are those of a fit to the
+/// series, around which the cycles lie, whatever the stress was at rest.
 StressEstimate estimate(const RunFile& run, const StressName& of, const std::vector<double>& time,
                         const Protocol& protocol) {
   const std::string name = of.key;
