@@ -8,7 +8,7 @@
 
 namespace supple {
 
-/// A site and an edge of another body that it may soon touch, or whose start, a corner, it may.
+/// A site that may soon touch an edge of another body, or the corner where that edge starts.
 struct EdgeCandidate {
   std::int32_t site;
   std::int32_t before, start, end;  ///< the corner at the start of the edge: vertices of the ring
