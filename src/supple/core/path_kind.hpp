@@ -16,10 +16,11 @@ PathKind path_kind(const std::string& path);
 /// state".
 void check_can_read(const std::string& path, const std::string& kind);
 
-/// Makes a folder where there is none. Throws a file error where it cannot be made, or is something else.
+/// Makes the folder if there is none. Throws a file error where it cannot be made, or `path` is something
+/// else.
 void make_folder(const std::string& path);
 
-/// All bytes of a file or pipe. Throws a file error, as above, or where it is longer than `most` bytes.
+/// All bytes of a file or pipe. Throws as check_can_read does, and where there are more than `most` bytes.
 std::string read_whole_file(const std::string& path, const std::string& kind, std::size_t most);
 
 }  // namespace supple

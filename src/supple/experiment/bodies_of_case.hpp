@@ -23,7 +23,7 @@ struct BodySizes {
   /// Particles of one kind are drawn alike: small, large, extra discs.
   int kind(int body) const { return body >= particles ? 2 : is_large(body) ? 1 : 0; }
   static constexpr int kinds = 3;
-  /// 1 of a disc.
+  /// Number of vertices; 1 for a disc.
   int vertices(int body) const {
     return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small;
   }
@@ -47,12 +47,12 @@ struct LooseBodies {
   Box<2> cell;
 };
 
-/// Which particles are measured: each, or one of each kind where the case draws none of them, which is the
-/// same to rounding.
+/// Which particles are measured: each one, or only one of each kind, where the case draws nothing for single
+/// particles; results are the same to rounding.
 enum class Measured { each, kinds };
 
-/// Everything about a random packing but where its particles are. Input error where the largest does not fit
-/// into the cell.
+/// Everything about a random packing except where its particles are. Input error where the largest does not
+/// fit into the cell.
 LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
                          Measured measured = Measured::each);
 

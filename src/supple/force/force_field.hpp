@@ -49,10 +49,11 @@ class ForceField {
   /// Adds the second derivatives of the energy. Not for contacts with memory: their forces have no energy.
   void add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind = HessianKind::exact);
 
-  /// The same without multiplying out what couples all sites of a body: blocks and products are its sum.
+  /// The same, with the parts that couple all sites of a body as outer products: the Hessian is the sum of
+  /// `blocks` and `products`.
   void add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products);
 
-  /// Accepts the step: contacts remember what this evaluation found.
+  /// Accepts the step: contacts remember what `evaluation`, made at this state, found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {
     system.floor_contact.swap(evaluation.trial_floor_contact);
     if (!bodies_) {
@@ -82,7 +83,7 @@ class ForceField {
 
  private:
   void begin_hessian(System<2>& system);
-  void finish_hessian(System<2>& system, HessianBlocks<2>& blocks);  ///< of all but the terms
+  void finish_hessian(System<2>& system, HessianBlocks<2>& blocks);  ///< adds those of all but the terms
 
   TermSet<2> terms_;
   ExternalForces<2> external_;

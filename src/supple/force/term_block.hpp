@@ -32,7 +32,7 @@ class TermBlock {
   virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
     add_hessian(system, blocks);
   }
-  /// All of them, those that couple all sites of a body as outer products.
+  /// Adds all second derivatives, with the parts that couple all sites of a body as outer products.
   virtual void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
                                  OuterProducts<Dim>& /*products*/) const {
     add_hessian(system, blocks);

@@ -41,13 +41,13 @@ class TermSet {
     }
   }
 
-  /// The same, of outer products only the factors.
+  /// The same, with the parts that couple all sites of a body as outer products.
   void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
                          OuterProducts<Dim>& products) const {
     for (const auto& block : blocks_) block->add_split_hessian(system, blocks, products);
   }
 
-  /// Name and energy of each term, in the order they were added.
+  /// Name and energy of each term, in the order in which they were added.
   std::vector<std::pair<std::string, double>> energies(const System<Dim>& system) const {
     std::vector<std::pair<std::string, double>> parts;
     for (const auto& block : blocks_) parts.emplace_back(block->name(), block->energy(system));

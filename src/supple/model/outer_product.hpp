@@ -1,4 +1,4 @@
-/// Parts of second derivatives that couple all sites of a body, not multiplied out.
+/// Second derivatives that couple all sites of a body, kept as products of vectors.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace supple {
 
-/// factor s s^T, s = slope of the sites first, first + 1, ...: n numbers in the place of n^2.
+/// A part factor s s^T of the second derivatives, where s has the vector slope[k] at the site first + k: n
+/// numbers in place of n^2.
 template <int Dim>
 struct OuterProduct {
   double factor;

@@ -62,10 +62,10 @@ class ImageSearch {
   std::span<const BodyShape> bodies_;
   int row_of(double height) const;
 
-  std::vector<BodyImage> images_;  ///< by their left end
+  std::vector<BodyImage> images_;  ///< in the order of their left ends
   double widest_ = 0, tallest_ = 0, lowest_ = 0;
   std::vector<std::vector<std::int32_t>>
-      rows_;  ///< indices of images by their lower end, as many heights apart
+      rows_;  ///< indices of images, in rows of equal height by their lower ends
 };
 
 }  // namespace supple

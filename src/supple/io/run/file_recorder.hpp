@@ -45,9 +45,9 @@ class FileRecorder : public Recorder {
   void progress(const std::string&, std::int64_t, std::int64_t) override {}
   void warning(const std::string& text) override;
 
-  /// Merges everything into the run file. status: "complete", "interrupted" or "failed: why". A run that
-  /// never began leaves nothing. Where the disk is full, as much as there is room for stays in segments, and
-  /// the file error says what is lost. Asked again it says the same.
+  /// Merges everything into the run file. `status` is "complete", "interrupted" or "failed: why". A run that
+  /// never began leaves nothing. Where the disk is full, segments keep as much as there is room for, and a
+  /// file error says what is lost. A second call throws the same error.
   void finish(const std::string& status);
   /// Whether the run got so far that it leaves a file.
   bool began() const { return info_.has_value(); }
@@ -74,7 +74,7 @@ class FileRecorder : public Recorder {
 
   std::optional<RunInfo> info_;
   bool finished_ = false;
-  std::optional<Error> failure_;  ///< of finish()
+  std::optional<Error> failure_;  ///< thrown by finish()
   int segments_ = 0;
   std::int64_t contacts_ = 0;  ///< rows of contacts in the segments so far
   std::size_t bytes_ = 0;      ///< in memory, since the last segment
