@@ -158,6 +158,17 @@ TEST(BodyShear, WithoutLinksFrictionAndViscosityNothingIsLostButToTheBackground)
   EXPECT_LT(r.get("results", "energy_residual"), 1e-4);
 }
 
+/// What is lost is the work of friction, and of dashpots, over each step with the forces of both of its ends:
+/// of second order where only one of them acts. Both together are of first order where a contact begins to
+/// slip.
+TEST_P(BodyShear, LossesOfFrictionAloneAndOfDashpotsAloneCloseToSecondOrder) {
+  Case friction = small_gel(GetParam()), dashpots = friction;
+  friction.material.relative_viscosity = 0;
+  dashpots.material.friction = 0;
+  dashpots.particles.permanent_links = false;
+  for (const Case& c : {friction, dashpots}) EXPECT_LT(result_of(c).get("results", "energy_residual"), 1e-4);
+}
+
 TEST(BodyShear, GoesOnFromAStateWithItsLinks) {
   const Case c = small_gel();
   const MemoryRecorder first = result_of(c);

@@ -8,6 +8,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/suspension.hpp"
 #include "supple/solve/disc_dynamics.hpp"
+#include "tests/support/prepared.hpp"
 
 namespace supple {
 namespace {
@@ -130,6 +131,10 @@ void expect_closed(const MemoryRecorder& r) {
   EXPECT_EQ(opening, rows.column("total").front());
   EnergyBalance account;
   account.resume(r.last_system, opening, booked);
+  const std::unique_ptr<DiscDynamics> dynamics = testing::documented_dynamics(oscillation());
+  dynamics->set_account(&account);
+  System<2> again = r.last_system;
+  dynamics->evaluate(again, {});  // what the forces of this instant lose
   const EnergyState now = energy_state(r.last_system, r.last_evaluation);
   const EnergyFlows flows = account.flows(r.last_system, r.last_evaluation);
   EXPECT_NEAR(now.total() - opening, flows.work() - flows.lost(), 1e-3 * work);

@@ -190,8 +190,11 @@ void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& syste
     const PairStiffness& s = linked ? law.link : law.contact;
     sum.energy.elastic += elastic_energy(repulsion, law, t.distance[lane], t.d0[lane], linked);
     sum.energy.viscous_power += s.eta * t.v_n[lane] * t.v_n[lane];
-    const TangentialBooks books = book({t.tangential[lane], t.new_elongation[lane], out.trial_state[row]},
-                                       t.elongation[lane], t.v_t[lane], dt, s.k_t, s.eta_t, law.slip);
+    const double u = t.elongation[lane], to = t.new_elongation[lane];
+    // The spring in the mean of the step, as it stores energy.
+    const TangentialBooks books =
+        book({t.tangential[lane] - 0.5 * s.k_t * (to - u), to, out.trial_state[row]}, u, t.v_t[lane], dt,
+             s.k_t, s.eta_t, law.slip);
     sum.energy.tangential += books.energy;
     sum.energy.tangential_viscous_power += books.viscous_power;
     sum.energy.sliding_power += books.sliding_power;
@@ -208,6 +211,37 @@ void DiscContacts::evaluate(const System<2>& system, double dt, Detail detail, E
   out.trial_state.resize(rows);
   out.trial_history.resize(rows * static_cast<std::size_t>(pairs.width));
   std::visit([&](const auto& repulsion) { fill_rows(repulsion, system, dt, detail, out); }, repulsion_);
+  if (detail == Detail::energies) keep_lossy(out);
+}
+
+void DiscContacts::keep_lossy(const Evaluation<2>& evaluation) {
+  lossy_.assign(evaluation.pair.size(), {0, 0});
+  for (std::size_t row = 0; row < lossy_.size(); ++row) {
+    const PairForce<2>& p = evaluation.pair[row];
+    if (!p.active) continue;
+    const ContactState state = evaluation.trial_state[row];
+    const double k_t = state == ContactState::permanent ? law_.link.k_t : law_.contact.k_t;
+    const double dashpot = p.tangential - k_t * evaluation.trial_history[row];
+    const bool freely = state == ContactState::slip && law_.slip != Slip::clamp;
+    (freely ? lossy_[row].sliding : lossy_[row].dashpot) = dashpot;
+  }
+}
+
+LossPower DiscContacts::loss_power(const System<2>& system, const Evaluation<2>& evaluation) const {
+  const State<2>& s = system.state;
+  LossPower sum;
+  for (std::size_t row = 0; row < lossy_.size(); ++row) {
+    const PairForce<2>& p = evaluation.pair[row];
+    if (!p.active) continue;
+    const auto i = system.pairs.first[row], j = system.pairs.second[row];
+    const Vec2 v = s.velocity[j] - s.velocity[i] - system.box.velocity_jump(p.up);
+    // Torques have these arms, whatever the law's speed has.
+    const double rolling =
+        p.distance / (s.radius[i] + s.radius[j]) * (s.radius[i] * s.spin[i] + s.radius[j] * s.spin[j]);
+    const double v_t = dot(v, turned_left(p.normal)) - rolling;
+    sum += {p.viscous * dot(v, p.normal), -lossy_[row].dashpot * v_t, -lossy_[row].sliding * v_t};
+  }
+  return sum;
 }
 
 template <class R>

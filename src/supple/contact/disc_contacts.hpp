@@ -7,6 +7,7 @@
 #include "supple/contact/laws/list.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/model/evaluation.hpp"
+#include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -25,7 +26,15 @@ class DiscContacts {
   /// advance as if the present velocities had acted for dt [time]; 0 leaves them as they are.
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
 
+  /// Of the forces that the last evaluation with energies found, at the velocities and the shear rate of now.
+  LossPower loss_power(const System<2>& system, const Evaluation<2>& evaluation) const;
+
  private:
+  /// The forces along contacts by which they lose energy.
+  struct LossyTangential {
+    double dashpot, sliding;
+  };
+  void keep_lossy(const Evaluation<2>& evaluation);
   template <class R>
   void fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
   void gather(const System<2>& system, Evaluation<2>& out) const;
@@ -33,6 +42,7 @@ class DiscContacts {
   Repulsion repulsion_;
   DiscLaw law_;
   BackRows back_rows_;
+  std::vector<LossyTangential> lossy_;  ///< of each row, from the last evaluation with energies
 };
 
 }  // namespace supple

@@ -1,6 +1,7 @@
 /// Forces between bodies that a force field adds to their conservative contacts.
 #pragma once
 #include "supple/model/evaluation.hpp"
+#include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -13,6 +14,8 @@ class Interaction {
   /// Fills what will be remembered if the step is accepted, as if the present velocities had acted for dt
   /// [time] since the last accepted step; 0 leaves memory as it is.
   virtual void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) = 0;
+  /// Of the forces that the last evaluation with energies found, at the velocities and the shear rate of now.
+  virtual LossPower loss_power(const System<2>& system) const = 0;
   /// The step is accepted: moves what `evaluation` would remember into `system`.
   virtual void commit(System<2>& system, Evaluation<2>& evaluation) = 0;
 };

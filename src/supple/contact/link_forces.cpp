@@ -11,7 +11,8 @@ void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& li
   const std::int32_t i = link.first, j = link.second;
   frame.clear();
   frame.sites = {{i, -1}, {j, +1}};
-  frame.jump = system.box.velocity_jump(link.cells[gradient]);
+  frame.up = link.cells[gradient];
+  frame.jump = system.box.velocity_jump(frame.up);
   frame.branch = link_vector(system, link) - at.back * frame.separation_velocity(state);
   const double d = norm(frame.branch);
   frame.normal = d > 0 ? (1 / d) * frame.branch : arbitrary_direction<2>(i, j);
@@ -20,9 +21,10 @@ void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& li
   frame.rotation.add_vertex(1 - share, ring_of(system.topology, body_[j]), j, at);
 }
 
-void LinkForces::evaluate(const System<2>& system, double dt, Detail, Evaluation<2>& out) {
+void LinkForces::evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) {
   out.trial_link.clear();
   out.link_force.clear();
+  lossy_.clear();
   if (system.links.empty()) return;
   body_ = bodies_of_sites(system.topology, system.state.size());
   const Instant now{system.state}, then{system.state, 0.5 * dt};
@@ -40,6 +42,7 @@ void LinkForces::evaluate(const System<2>& system, double dt, Detail, Evaluation
     frame_.scatter(central * n - r.force * turned_left(n), system.state, out);
     out.link_force.push_back({elastic, viscous, r.force, out.virial + -1.0 * before});
 
+    if (detail == Detail::energies) lossy_.push_back({frame_, viscous, r.force - law_.k_t * r.elongation, 0});
     const TangentialBooks books = book(r, link.elongation, v_t, dt, law_.k_t, law_.eta_t, Slip::clamp);
     out.energy.elastic += law_.energy(d, link.rest);
     out.energy.tangential += books.energy;

@@ -15,6 +15,7 @@ class LinkForces final : public Interaction {
   explicit LinkForces(const LinkLaw& law) : law_(law) {}
 
   const LinkLaw& law() const { return law_; }
+  LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
   void set_law(const LinkLaw& law) { law_ = law; }
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
   void commit(System<2>& system, Evaluation<2>& evaluation) override;
@@ -23,6 +24,7 @@ class LinkForces final : public Interaction {
   void fill(TouchFrame& frame, const System<2>& system, const Link& link, const Instant& at) const;
 
   LinkLaw law_;
+  std::vector<LossyTouch> lossy_;   ///< of the last evaluation with energies
   std::vector<std::int32_t> body_;  ///< of each site
   TouchFrame frame_, earlier_;      ///< at present, and at the instant of the velocities
 };

@@ -6,6 +6,7 @@
 
 #include "supple/geometry/boundary_rotation.hpp"
 #include "supple/model/evaluation.hpp"
+#include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -25,6 +26,7 @@ struct TouchFrame {
   std::vector<SiteWeight> sites;
   Vec2 branch{};              ///< b [length]
   Vec2 normal{};              ///< toward the side of positive weight
+  std::int32_t up = 0;        ///< cells between the two sides along the gradient
   Vec2 jump{};                ///< Box::velocity_jump of the cells subtracted from the positive side
   BoundaryRotation rotation;  ///< s_i w_i + s_j w_j [1/time]
 
@@ -32,6 +34,7 @@ struct TouchFrame {
     sites.clear();
     rotation.clear();
     branch = normal = jump = {};
+    up = 0;
   }
   /// How strongly v depends on the velocity of one site, relative to a plain contact with this reach
   /// [length]; at least 1. It is large where a site is held between two parts of one boundary whose pushes
@@ -64,5 +67,24 @@ struct TouchFrame {
     rotation.apply(-cross(branch, g), state, out.force, out.torque, out.virial);
   }
 };
+
+/// The forces of one touch by which it loses energy: along n on the positive side, and against t on it.
+struct LossyTouch {
+  TouchFrame frame;
+  double viscous, tangential_viscous, sliding;
+
+  /// At the velocities and the shear rate of now, with positions as in the frame.
+  LossPower power(const System<2>& system) const {
+    const Vec2 v = frame.velocity(Instant{system.state}) + frame.jump - system.box.velocity_jump(frame.up);
+    const double v_t = dot(v, turned_left(frame.normal));
+    return {viscous * dot(v, frame.normal), -tangential_viscous * v_t, -sliding * v_t};
+  }
+};
+
+inline LossPower power_of(const std::vector<LossyTouch>& touches, const System<2>& system) {
+  LossPower sum;
+  for (const LossyTouch& touch : touches) sum += touch.power(system);
+  return sum;
+}
 
 }  // namespace supple

@@ -41,6 +41,7 @@ void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRec
   const ContactRecord<2>& any = records.front();
   const int own = any.weight[0] > 0 ? 0 : 1;
   const double share_i = system.state.radius[any.site[own]] / any.reach;
+  frame.up = any.up;
   frame.jump = system.box.velocity_jump(any.up);
   for (const ContactRecord<2>& record : records) {
     const double part = share_of(record, law), share = per_force * part * dot(record.normal, n);
@@ -74,14 +75,16 @@ void TouchFriction::evaluate(const System<2>& system, double dt, Detail detail, 
   records_ = contacts_->records(system);
   out.trial_touch.clear();
   out.touch_force.clear();
+  lossy_.clear();
   for (const BodyTouch& touch : sum_touches(system, records_, contacts_->law()))
-    if (norm(touch.force) > 0) act(system, touch, dt, out);
+    if (norm(touch.force) > 0) act(system, touch, dt, detail, out);
   std::sort(out.trial_touch.begin(), out.trial_touch.end(),
             [](const Touch& a, const Touch& b) { return a.key < b.key; });
   if (detail == Detail::energies && dt > 0) book_opened(system, dt, out);
 }
 
-void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double dt, Evaluation<2>& out) {
+void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double dt, Detail detail,
+                        Evaluation<2>& out) {
   const std::span records(records_.data() + touch.first_record, static_cast<std::size_t>(touch.records));
   const Instant now{system.state}, then{system.state, 0.5 * dt};
   fill(frame_, system, records, contacts_->law(), touch, body_, now);
@@ -102,8 +105,13 @@ void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double 
   frame_.scatter(r.viscous * n - r.tangential.force * turned_left(n), system.state, out);
   out.touch_force.push_back({key, r.viscous, r.tangential.force, out.virial + -1.0 * before});
 
-  const TangentialBooks books =
-      book(r.tangential, u, motion.v_t, dt, scale * law_.k_t, scale * law_.eta_t, law_.slip);
+  if (detail != Detail::energies) return;
+  const double k_t = scale * law_.k_t, dashpot = r.tangential.force - k_t * r.tangential.elongation;
+  const bool freely = r.tangential.state == ContactState::slip && law_.slip != Slip::clamp;
+  lossy_.push_back({frame_, r.viscous, freely ? 0 : dashpot, freely ? dashpot : 0});
+  TangentialResponse in_the_mean = r.tangential;  // the spring over the step, as it stores energy
+  in_the_mean.force -= 0.5 * k_t * (r.tangential.elongation - u);
+  const TangentialBooks books = book(in_the_mean, u, motion.v_t, dt, k_t, scale * law_.eta_t, law_.slip);
   out.energy.tangential += books.energy;
   out.energy.tangential_viscous_power += books.viscous_power;
   out.energy.sliding_power += books.sliding_power;

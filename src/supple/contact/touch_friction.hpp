@@ -25,12 +25,13 @@ class TouchFriction final : public Interaction {
   const TouchLaw& law() const { return law_; }
   void set_law(const TouchLaw& law) { law_ = law; }
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
+  LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
   void commit(System<2>& system, Evaluation<2>& evaluation) override {
     system.touches.rows.swap(evaluation.trial_touch);
   }
 
  private:
-  void act(const System<2>& system, const BodyTouch& touch, double dt, Evaluation<2>& out);
+  void act(const System<2>& system, const BodyTouch& touch, double dt, Detail detail, Evaluation<2>& out);
   void book_opened(const System<2>& system, double dt, Evaluation<2>& out) const;
   TouchKey key_of(const ContactRecord<2>& record) const;
   double scale_of(const System<2>& system, std::int32_t site) const {
@@ -41,7 +42,8 @@ class TouchFriction final : public Interaction {
   TouchLaw law_;
   std::vector<std::int32_t> body_;  ///< of each site
   std::vector<ContactRecord<2>> records_;
-  TouchFrame frame_, earlier_;  ///< at present, and at the instant of the velocities
+  std::vector<LossyTouch> lossy_;  ///< of the last evaluation with energies
+  TouchFrame frame_, earlier_;     ///< at present, and at the instant of the velocities
 };
 
 }  // namespace supple

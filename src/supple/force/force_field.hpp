@@ -53,6 +53,15 @@ class ForceField {
   /// `blocks` and `products`.
   void add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products);
 
+  /// Of the forces that the last evaluation, with energies, found, at the velocities and the shear rate of
+  /// now.
+  LossPower loss_power(const System<2>& system, const Evaluation<2>& evaluation) const {
+    LossPower sum;
+    if (!bodies_) sum += contacts_.loss_power(system, evaluation);
+    for (const auto& interaction : interactions_) sum += interaction->loss_power(system);
+    return sum;
+  }
+
   /// Accepts the step: contacts remember what `evaluation`, made at this state, found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {
     system.floor_contact.swap(evaluation.trial_floor_contact);

@@ -104,6 +104,15 @@ void EnergyBalance::book_losses(const Evaluation<2>& evaluation, double time) {
   flows_.viscous += time * evaluation.energy.viscous_power;
   flows_.tangential_viscous += time * evaluation.energy.tangential_viscous_power;
   flows_.sliding += time * evaluation.energy.sliding_power;
+  book_losses_after(loss_power_, -0.5 * time);
+}
+
+// The books of a step take the forces of its end for its whole length. They act for half of it, and those of
+// its begin for the other half, as the energies change by them.
+void EnergyBalance::book_losses_after(const LossPower& after, double time) {
+  flows_.viscous -= time * after.viscous;
+  flows_.tangential_viscous -= time * after.tangential_viscous;
+  flows_.sliding -= time * after.sliding;
 }
 
 EnergyFlows EnergyBalance::flows(const System<2>& system, const Evaluation<2>& evaluation) const {

@@ -1,6 +1,7 @@
 /// Where the energy of a run comes from and where it goes.
 #pragma once
 #include "supple/model/evaluation.hpp"
+#include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -58,7 +59,13 @@ class EnergyBalance {
   void book_contacts(const System<2>& system, const Evaluation<2>& evaluation);
   /// Books the work of plates and images while these forces act for `time` [time] at the present velocities.
   void book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time);
-  /// Books what contacts lost over the step that led to this evaluation, `time` long [time].
+  /// Takes note of what the lossy forces of an instant do at the velocities half a step before it: they act
+  /// as long after it, at others (book_losses_after). Before open() and flows() of that instant.
+  void see(const LossPower& before) { loss_power_ = before; }
+  /// What the forces of that instant lose in the half step after it.
+  void book_losses_after(const LossPower& after, double time);
+  /// Books what contacts lost over the step that led to this evaluation, `time` long [time], less the half in
+  /// which the forces of its end did not act.
   void book_losses(const Evaluation<2>& evaluation, double time);
 
   /// Flows up to the instant of `evaluation`, before the step that starts there.
@@ -68,6 +75,7 @@ class EnergyBalance {
  private:
   EnergyFlows flows_;
   double energy_at_opening_ = 0, kinetic_ = 0;
+  LossPower loss_power_;
   double power_ = 0;  ///< of all forces at the last booking [energy/time]
 };
 

@@ -64,11 +64,13 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
 
 const Evaluation<2>& DiscDynamics::evaluate(System<2>& system, ShearRates) {
   forces_.evaluate(system, account_ ? Detail::energies : Detail::forces, evaluation_);
+  if (account_) account_->see(forces_.loss_power(system, evaluation_));
   return evaluation_;
 }
 
 const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system, ShearRates) {
   forces_.evaluate(system, Detail::energies, evaluation_);
+  if (account_) account_->see(forces_.loss_power(system, evaluation_));
   return evaluation_;
 }
 
@@ -113,6 +115,7 @@ void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, doubl
   if (account_) {
     account_->book_at_instant(&EnergyFlows::background, -1, system, evaluation_, -half_after);
     account_->book_boundaries(system, evaluation_, half_after);
+    account_->book_losses_after(forces_.loss_power(system, evaluation_), half_after);
   }
   if (drift(system, dt)) forces_.invalidate();  // its contacts are with other images now
   if (account_) account_->book(&EnergyFlows::images, 1, system);
