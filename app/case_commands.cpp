@@ -103,7 +103,7 @@ std::string meaning_of(const std::string& name) {
 Case case_of(const Experiment& e) {
   Case c;
   c.general.experiment = e.name;
-  c.general.physics = e.matter->physics.front();
+  c.general.physics = e.matter->physics;
   resolve_family(c);
   e.complete(c);
   return c;

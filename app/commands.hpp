@@ -47,9 +47,9 @@ void show(const std::string& run_path, Format format, const std::string& path = 
 void export_run(const std::string& run_path, const std::string& to, const std::string& path,
                 Existing existing, const std::string& cells = "polygons");
 
-/// Draws the frame `frame`; negative, it counts from the end; none: the frame of the largest strain, or the
-/// last where there is no strain. `color` names the number that colours each deformable particle; empty: the
-/// default. Where `path` is empty the picture lies beside the run.
+/// Draws frame `frame` (negative: counted from the end; none: the most sheared one, or the last
+/// where none is); `color`: the number of each deformable particle that colours it, or empty; `path` empty:
+/// beside the run.
 void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
               const std::string& path, Existing existing);
 

@@ -15,6 +15,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
+#include "supple/experiment/experiments.hpp"
 
 namespace {
 
@@ -75,9 +76,8 @@ void add_case_commands(CLI::App& app, Options& o) {
   init->add_option("--physics", o.physics,
                    "With dynamics: deformable, for polygons instead of microgel discs")
       ->type_name("NAME")
-      ->each([](const std::string& name) {
-        command::check_choice("--physics", name, {"documented", "particleshear-1.0.2", "deformable"});
-      });
+      ->each(
+          [](const std::string& name) { command::check_choice("--physics", name, supple::physics_names()); });
   add_output(*init, o, "Case to write; - for the screen (default: EXPERIMENT.toml)");
   init->callback([&] { command::init(o.experiment, o.physics, o.output, o.existing()); });
 
@@ -150,8 +150,7 @@ void add_run_commands(CLI::App& app, Options& o) {
             constexpr int most = std::numeric_limits<int>::max();
             o.frame = command::whole_number("--frame", n, -most, most);
           },
-          "Which frame, from 0; negative: from the end (default: the most sheared; deformable particles: the "
-          "last)")
+          "Which frame, from 0; negative: from the end (default: the most sheared, or the last)")
       ->type_name("N");
   snapshot
       ->add_option(

@@ -8,9 +8,9 @@
 
 #include "beside.hpp"
 #include "commands.hpp"
+#include "supple/compat/particleshear/text.hpp"
 #include "supple/core/error.hpp"
 #include "supple/io/export/csv.hpp"
-#include "supple/io/export/published_text.hpp"
 #include "supple/io/export/trajectory.hpp"
 #include "supple/io/run/figures.hpp"
 #include "supple/io/run/picture_mark.hpp"

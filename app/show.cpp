@@ -152,8 +152,8 @@ void add_values(std::string& text, const std::vector<RunValue>& values) {
 
 std::string summarize(const RunFile& run, Format format, Warnings warnings) {
   if (format == Format::json) return json_summary(run);
-  // where there are several models of the particles, by which
-  const bool tells_model = experiment_of(run.resolved_case()).matter->physics.size() > 1;
+  // of suspensions there are several models
+  const bool tells_model = experiment_of(run.resolved_case()).matter->suspension != nullptr;
   std::string text = fmt::format("{}: {}{}, {}\n", run.path(), run.experiment(),
                                  tells_model ? fmt::format(" ({} model)", run.physics()) : "", run.status());
   text += hang_words(

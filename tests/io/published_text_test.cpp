@@ -4,8 +4,8 @@
 #include <map>
 #include <regex>
 
+#include "supple/compat/particleshear/text.hpp"
 #include "supple/experiment/initial_state.hpp"
-#include "supple/io/export/published_text.hpp"
 #include "supple/io/run/file_recorder.hpp"
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "supple/compat/particleshear/step.hpp"
 #include "supple/solve/disc_dynamics.hpp"
-#include "supple/solve/particleshear_step.hpp"
 
 namespace supple {
 namespace {

@@ -1,5 +1,6 @@
 /// Demodulation of signals whose moduli are known, and of those that the published package was given.
 #include "supple/observe/demodulate.hpp"
+#include "supple/compat/particleshear/demodulate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TEST(Demodulate, FollowsThePublishedPackage) {
     std::vector<double> times(c["samples"].get<std::size_t>());
     for (std::size_t i = 1; i < times.size(); ++i) times[i] = times[i - 1] + c["dt"].get<double>();
     const Series s = sampled(signal, p, times);
-    const Demodulation d = demodulate(s.time, s.stress, p, DriftCorrection::published);
+    const Demodulation d = demodulate(s.time, s.stress, p, demodulate_as_published);
     const std::vector<double> expected = c["result"];
     EXPECT_NEAR(d.in_phase, expected[0], 1e-12 * expected[0]);
     EXPECT_NEAR(d.out_of_phase, expected[1], 1e-12 * expected[0]);
@@ -69,9 +70,9 @@ TEST(Demodulate, PublishedSumsAreClosedAtBothEnds) {
   const std::vector<double> times = even_times(p, 1.0 / 64);
   std::vector<double> stress(times.size(), 100);
   // The cosines of 65 samples sum up to 1, their squares to 33.
-  EXPECT_NEAR(demodulate(times, stress, p, DriftCorrection::published).loss.value, 100 / 33.0 / 0.2, 1e-9);
+  EXPECT_NEAR(demodulate(times, stress, p, demodulate_as_published).loss.value, 100 / 33.0 / 0.2, 1e-9);
   stress[64] += 50;  // the start of shear is no part of the rest before it
-  EXPECT_EQ(demodulate(times, stress, p, DriftCorrection::published).drift, 0);
+  EXPECT_EQ(demodulate(times, stress, p, demodulate_as_published).drift, 0);
 }
 
 TEST(Demodulate, FindsEverythingThatASignalHolds) {
@@ -173,7 +174,7 @@ TEST(Demodulate, DriftOfAModulusFromCycleToCycleIsTold) {
 TEST(Demodulate, NoErrorFromFewerThanThreeCycles) {
   for (const double periods : {1.0, 2.0, 3.0, 3.9, 4.0}) {
     const Protocol p{1, 0.2, 1, periods, 1};
-    for (const DriftCorrection c : {DriftCorrection::right, DriftCorrection::published}) {
+    for (const Demodulator c : {fit_harmonics, demodulate_as_published}) {
       const Series s = sampled({}, p, even_times(p, 1e-3));
       const Demodulation d = demodulate(s.time, s.stress, p, c);
       EXPECT_EQ(d.storage.error >= 0, periods == 4) << periods;

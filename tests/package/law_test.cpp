@@ -1,7 +1,7 @@
 /// Elastic and tensile laws and scales of the published package, against its own values.
 #include <gtest/gtest.h>
 
-#include "supple/experiment/particleshear_protocol.hpp"
+#include "supple/compat/particleshear/protocol.hpp"
 #include "tests/package/reference.hpp"
 
 namespace supple::testing {

@@ -3,7 +3,9 @@
 
 #include <numeric>
 
-#include "supple/experiment/particleshear_protocol.hpp"
+#include "supple/compat/particleshear/demodulate.hpp"
+#include "supple/compat/particleshear/protocol.hpp"
+#include "supple/experiment/experiments.hpp"
 #include "supple/model/links.hpp"
 #include "supple/observe/demodulate.hpp"
 #include "supple/observe/stress.hpp"
@@ -24,7 +26,7 @@ Case package_case(const nlohmann::json& run) {
   c.particles.discs = run["results"]["args"]["N"];
   c.particles.cut_lines = run["results"]["args"]["cut_lines"];
   c.particles.permanent_links = run["results"]["args"]["do_permanent_links"];
-  resolve_family(c);  // three periods, as published
+  experiment_of(c).complete(c);  // three periods, as published
   return c;
 }
 
@@ -132,7 +134,7 @@ TEST_P(Protocol, OscillationIsReproduced) {
   const supple::Protocol protocol{run.frequency, run.amplitude, run.pre_periods, run.periods,
                                   run.post_periods};
   const auto expect_moduli = [&](const std::vector<double>& stress, const nlohmann::json& theirs) {
-    const Demodulation d = demodulate(time, stress, protocol, DriftCorrection::published);
+    const Demodulation d = demodulate(time, stress, protocol, demodulate_as_published);
     const double mine[] = {d.in_phase, d.out_of_phase, d.storage.value, d.loss.value};
     for (int i = 0; i < 4; ++i) EXPECT_LE(std::abs(mine[i] / theirs[i].get<double>() - 1), 1e-9) << i;
   };

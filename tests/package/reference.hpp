@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "supple/contact/laws/particleshear.hpp"
+#include "supple/compat/particleshear/law.hpp"
 #include "supple/model/system.hpp"
 #include "tests/paths.hpp"
 #include "tests/support/gzip.hpp"

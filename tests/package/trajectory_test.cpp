@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "supple/compat/particleshear/step.hpp"
 #include "supple/model/units.hpp"
 #include "supple/observe/stress.hpp"
-#include "supple/solve/particleshear_step.hpp"
 #include "tests/package/reference.hpp"
 
 namespace supple::testing {

@@ -62,7 +62,7 @@ void refuse_other_matter(const Case& c, const System<2>& held, const std::string
   throw input_error(fmt::format("{} holds {}", file, there.name),
                     fmt::format("the case is about {}", wanted.name),
                     find_experiment(c.general.experiment, there)
-                        ? fmt::format("set physics = \"{}\", or leave physics away", there.physics.front())
+                        ? fmt::format("set physics = \"{}\", or leave physics away", there.physics)
                         : fmt::format("start from a run of {}", wanted.name));
 }
 

@@ -101,12 +101,13 @@ std::string describe_bodies(const Case& c, const InitialState* initial) {
 
 const Matter& body_matter() {
   static const Matter bodies{.name = "deformable particles",
-                             .physics = {"deformable"},
+                             .physics = "deformable",
                              .is_held = [](const System<2>& s) { return !s.topology.begin.empty(); },
                              .check = check_bodies,
                              .doubt = doubt_bodies,
                              .known = keys_of_bodies,
                              .adopt = adopt_bodies,
+                             .curves = {{"total", "total"}, {"virial", "virial"}},
                              .sites = [](const Case& c) { return BodySizes(c.bodies).sites(); },
                              .describe = describe_bodies};
   return bodies;

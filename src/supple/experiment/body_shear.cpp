@@ -69,8 +69,7 @@ void record_moduli(const BodyStressTable& table, const std::vector<double>& lost
                    const OscillatoryProtocol& p, const Packing& packing, Recorder& recorder) {
   const auto record = [&](const char* name, const std::vector<double>& stress, const char* meaning) {
     const StressSeries series{name, meaning, packing.pressure_symbol, table.time, stress};
-    return Estimate{name, series.unit,
-                    record_modulus(series, windows_of(p), DriftCorrection::right, recorder)};
+    return Estimate{name, series.unit, record_modulus(series, windows_of(p), fit_harmonics, recorder)};
   };
   const Estimate total = record("total", table.total, "the virial with the kinetic part"),
                  virial = record("virial", table.virial, "the virial of shapes, contacts and links");

@@ -1,8 +1,18 @@
 #include "supple/experiment/case.hpp"
 
 #include "supple/contact/laws/list.hpp"
+#include "supple/experiment/experiments.hpp"
 
 namespace supple {
+
+namespace {
+
+/// Names that live as long as the program.
+std::vector<std::string_view> lasting(const std::vector<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
 
 namespace {
 constexpr Range at_least_zero = not_negative;
@@ -10,21 +20,13 @@ constexpr Range at_least_zero = not_negative;
 
 template <>
 const Fields<General>& fields() {
+  static const std::vector<std::string> experiments_there = experiment_names(),
+                                        physics_there = physics_names();
   static const Fields<General> f{
-      {"experiment",
-       &General::experiment,
-       "",
-       "what to run",
-       any_value,
-       {"oscillatory_shear", "preparation", "dynamics", "jamming", "compression", "uniaxial_compression",
-        "slump"}},
-      {"physics",
-       &General::physics,
-       "",
+      {"experiment", &General::experiment, "", "what to run", any_value, lasting(experiments_there)},
+      {"physics", &General::physics, "",
        "microgel discs as documented, or as the published package computes them; or deformable particles",
-       any_value,
-       {"documented", "particleshear-1.0.2", "deformable"},
-       Role::law},
+       any_value, lasting(physics_there), Role::law},
       {"seed", &General::seed, "", "key of all random numbers", at_least_zero},
       {"threads", &General::threads, "", "threads; results do not depend on it", {1, 1024}},
   };
@@ -226,7 +228,5 @@ const Fields<Output>& fields() {
   };
   return f;
 }
-
-bool is_package(const Case& c) { return c.general.physics == "particleshear-1.0.2"; }
 
 }  // namespace supple

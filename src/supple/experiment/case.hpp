@@ -51,7 +51,7 @@ struct Cell {
 
 struct Shear {
   double amplitude = 0.2, relative_frequency = 0.025;
-  double periods = 9;  ///< 3 with the physics of the published package: see resolve_family
+  double periods = 9;
   double pre_periods = 2, post_periods = 1;
   double cool_factor = 0.5;
   std::string rate = "0";
@@ -237,14 +237,11 @@ void for_each_key(AnyCase& c, Visit&& visit) {
   });
 }
 
-/// Whether the case asks for physics = "particleshear-1.0.2", what the published package computes.
-bool is_package(const Case& c);
-
-/// The sections with a key that the case's experiment uses, in the order of the file.
+/// The sections of which the case's experiment uses a key, in the order of the file.
 std::vector<std::string> sections_of(const Case& c);
 
-/// Sets keys that were not given and follow from others: the physics from the experiment, the periods of the
-/// published package, the stiffnesses of a family [MacKeith 2025, Table 9.1].
+/// What is not given and follows from what is: the physics from the experiment, the stiffnesses from the
+/// family [MacKeith 2025, Table 9.1]. What follows from the experiment: Experiment::complete.
 void resolve_family(Case& c);
 
 /// Checks what one key cannot know of others (a packing that cannot be reached, a plateau that ends before it

@@ -261,8 +261,7 @@ const Fields<Motion>& fields() {
 
 void resolve_family(Case& c) {
   if (const Matter& matter = *experiment_of(c).matter; !c.is_given("physics") && asked_matter(c) != &matter)
-    c.general.physics = matter.physics.front();
-  if (c.general.physics == "particleshear-1.0.2" && !c.is_given("shear.periods")) c.shear.periods = 3;
+    c.general.physics = matter.physics;
   Bodies& b = c.bodies;
   const auto unless_given = [&](const char* key, double& value, double of_family) {
     if (!c.is_given(std::string("bodies.") + key)) value = of_family;

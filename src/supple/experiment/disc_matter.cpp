@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "supple/experiment/matter.hpp"
+#include "supple/experiment/suspension.hpp"
 #include "supple/model/discs.hpp"
 
 namespace supple {
@@ -81,12 +82,14 @@ std::string describe_discs(const Case& c, const InitialState* initial) {
 
 const Matter& disc_matter() {
   static const Matter discs{.name = "discs of microgels",
-                            .physics = {"documented", "particleshear-1.0.2"},
+                            .physics = "documented",
+                            .suspension = &documented_model(),
                             .is_held = [](const System<2>& s) { return s.topology.begin.empty(); },
                             .check = check_discs,
                             .doubt = doubt_discs,
                             .known = keys_of_discs,
                             .adopt = [](Case&, const InitialState&) {},
+                            .curves = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}},
                             .sites = [](const Case& c) { return std::int64_t{c.particles.discs}; },
                             .describe = describe_discs};
   return discs;

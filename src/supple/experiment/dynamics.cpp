@@ -11,7 +11,6 @@
 #include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
-#include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/stress_table.hpp"
 #include "supple/experiment/suspension.hpp"
 
@@ -51,10 +50,8 @@ double start_time(const Case&, const InitialState* initial) {
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
-  std::vector<Derived> all = is_package(c) ? derived_constants(derive_particleshear(c, initial))
-                                           : derived_constants(derive_constants(c, initial));
-  const double dt =
-      is_package(c) ? derive_particleshear(c, initial).dt : derive_constants(c, initial).time_step;
+  std::vector<Derived> all = suspension_model(c).constants(c, initial);
+  const double dt = suspension_model(c).time_step(c, initial);
   all.push_back({{"time_step", "s", "time step"}, dt});
   const auto steps = static_cast<double>(step_count(c, initial));
   all.push_back({{"steps", "", "steps"}, steps});
@@ -121,11 +118,9 @@ Experiment dynamics() {
   return {.name = "dynamics",
           .meaning = "discs moving under a prescribed shear rate, every step recorded",
           .matter = &disc_matter(),
-          .keys = with(disc_keys(), {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor",
-                                     "shear.rate", "time.*", "initial.state", "initial.keep_time",
-                                     "output.tensors", "output.energies", "output.frames", "output.plot"}),
-          .needs = {{"shear.amplitude", Need::Of::physics, is_package,
-                     "experiment = \"oscillatory_shear\": dynamics is sheared by shear.rate"}},
+          .keys = with(disc_keys(), {"shear.relative_frequency", "shear.cool_factor", "shear.rate", "time.*",
+                                     "initial.state", "initial.keep_time", "output.tensors",
+                                     "output.energies", "output.frames", "output.plot"}),
           .derive = derive_dynamics,
           .run = run_dynamics,
           .figure = always<Figure::stress>,

@@ -10,13 +10,6 @@
 
 namespace supple {
 
-const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all{oscillatory_shear(), body_shear(),           preparation(),
-                                           dynamics(),          body_dynamics(),        jamming(),
-                                           compression(),       uniaxial_compression(), slump()};
-  return all;
-}
-
 std::vector<std::string> experiment_names() {
   std::vector<std::string> names;
   for (const Experiment& e : experiments())
@@ -30,12 +23,25 @@ const Experiment* find_experiment(std::string_view name, const Matter& matter) {
   return nullptr;
 }
 
+std::vector<const Matter*> every_matter() {
+  std::vector<const Matter*> all;
+  for (const Experiment& e : experiments())
+    if (std::find(all.begin(), all.end(), e.matter) == all.end()) all.push_back(e.matter);
+  return all;
+}
+
+std::vector<std::string> physics_names() {
+  std::vector<std::string> names;
+  for (const Matter* m : every_matter()) names.emplace_back(m->physics);
+  return names;
+}
+
 const Matter* asked_matter(const Case& c) {
   if (!c.initial.packing.empty()) return &body_matter();
   // The default of the key says nothing.
-  for (const Matter* m : {&body_matter(), &disc_matter()})
-    for (const std::string_view physics : m->physics)
-      if (physics == c.general.physics && (c.is_given("physics") || physics != General{}.physics)) return m;
+  if (!c.is_given("physics") && c.general.physics == General{}.physics) return nullptr;
+  for (const Matter* m : every_matter())
+    if (m->physics == c.general.physics) return m;
   return nullptr;
 }
 

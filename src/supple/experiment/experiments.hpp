@@ -49,9 +49,12 @@ struct Experiment {
   bool keeps_step = false;     ///< goes on with the time step of the state that it starts from
 };
 
+/// All of them (registry.cpp, which alone knows what is outside this folder).
 const std::vector<Experiment>& experiments();
 /// The names of the experiments, each once.
 std::vector<std::string> experiment_names();
+/// Values of the key `physics`.
+std::vector<std::string> physics_names();
 /// The experiment of this name on these particles; null where there is none.
 const Experiment* find_experiment(std::string_view name, const Matter& matter);
 /// The experiment that the case names, on the particles that the case asks for, or else the first of that

@@ -61,9 +61,9 @@ Gap gap_of(const System<2>& system, const Units& units) {
   return {system.box.length[gradient] * units.length, mass / system.box.volume() * units.density()};
 }
 
-Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, DriftCorrection correction,
+Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, Demodulator demodulator,
                             Recorder& recorder) {
-  const Demodulation d = demodulate(s.time, s.stress, protocol, correction);
+  const Demodulation d = demodulate(s.time, s.stress, protocol, demodulator);
   const auto value = [&](const char* what, const std::string& unit, const std::string& says, double v,
                          double error = -1) {
     recorder.value("results", {std::string(what) + "_" + s.name, unit, says}, v, error);
@@ -80,13 +80,13 @@ Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, Dri
   return d;
 }
 
-void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
+void record_moduli(const StressTable& table, const Protocol& protocol, Demodulator demodulator,
                    const Gap& gap, Recorder& recorder) {
   const auto record = [&](const std::string& name, const std::vector<double>& stress,
                           const std::string& meaning) {
     return Estimate{
         name, "Pa",
-        record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, correction, recorder)};
+        record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, demodulator, recorder)};
   };
   const bool plated = !table.plates().empty();
   std::vector<Estimate> first;

@@ -24,9 +24,9 @@ struct StressSeries {
   const std::vector<double>& time;
   const std::vector<double>& stress;
 };
-/// Demodulates the series and records in the group "results": storage_modulus_NAME, loss_modulus_NAME, their
-/// changes from cycle to cycle, and the harmonics.
-Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, DriftCorrection correction,
+/// Values in the group "results": storage_modulus_NAME, loss_modulus_NAME, their changes from cycle to cycle,
+/// and the harmonics.
+Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, Demodulator demodulator,
                             Recorder& recorder);
 
 /// The moduli from one of several stresses of the same sample.
@@ -44,7 +44,7 @@ void warn_of_drift(const Estimate& e, Recorder& recorder);
 /// plates), virial, periodic, and the published internal, external and external_corrected. Warns where
 /// estimates differ, where cycles drift, where the jump correction is large, and near the resonance of the
 /// gap.
-void record_moduli(const StressTable& table, const Protocol& protocol, DriftCorrection correction,
+void record_moduli(const StressTable& table, const Protocol& protocol, Demodulator demodulator,
                    const Gap& gap, Recorder& recorder);
 
 /// Records the numbers of contacts, links and plate discs at the end.

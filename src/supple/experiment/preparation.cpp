@@ -4,7 +4,6 @@
 #include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
-#include "supple/experiment/particleshear_protocol.hpp"
 #include "supple/experiment/suspension.hpp"
 #include "supple/observe/stress.hpp"
 
@@ -16,8 +15,7 @@ std::vector<Derived> derive_preparation(const Case& c, const InitialState* initi
   if (initial)
     throw input_error("experiment = \"preparation\" with initial.state", "a state is prepared already",
                       "leave one of them away");
-  return is_package(c) ? derived_constants(derive_particleshear(c, nullptr))
-                       : derived_constants(derive_constants(c, nullptr));
+  return suspension_model(c).constants(c, nullptr);
 }
 
 void run_preparation(const Case& c, const InitialState* initial, Recorder& recorder) {
@@ -41,12 +39,7 @@ Experiment preparation() {
   return {.name = "preparation",
           .meaning = "such a suspension brought to rest, for runs that start from it",
           .matter = &disc_matter(),
-          .keys = with(disc_keys(), {"shear.amplitude", "shear.relative_frequency", "shear.cool_factor",
-                                     "time.step", "time.step_factor"}),
-          .needs = {{"shear.amplitude shear.relative_frequency shear.cool_factor time.step time.step_factor",
-                     Need::Of::physics, is_package,
-                     "physics = \"particleshear-1.0.2\": as documented the sample knows nothing of the "
-                     "protocol"}},
+          .keys = disc_keys(),
           .derive = derive_preparation,
           .run = run_preparation,
           .first_keys = microgel_first_keys(),

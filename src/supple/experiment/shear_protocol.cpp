@@ -61,7 +61,7 @@ void doubt_periods(const Case& c, Doubts& doubts) {
     doubts.push_back(
         fmt::format("shear.periods = {}: the first period is transient and there is no second to demodulate",
                     c.shear.periods));
-  else if (c.shear.periods < 4 && !is_package(c))
+  else if (c.shear.periods < 4)
     doubts.push_back(
         fmt::format("shear.periods = {}: no error of G' and G'', as the cycles after the first are fewer "
                     "than three",

@@ -1,5 +1,6 @@
 /// The oscillation that a case asks for, of discs or deformable particles.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "supple/experiment/problems.hpp"
 #include "supple/experiment/protocol.hpp"
 #include "supple/observe/demodulate.hpp"
+#include "supple/solve/stepper.hpp"
 
 namespace supple {
 
@@ -21,10 +23,20 @@ OscillatoryProtocol oscillatory_protocol(const Case& c, const InitialState* init
 /// The spans of rest and shear in periods, as demodulate() needs them.
 Protocol windows_of(const OscillatoryProtocol& p);
 
-/// The numbers of the protocol that a run records and its figure reads.
+/// What suspensions are sheared by: rates at the beginning of each step, and windows of the demodulation.
+struct ShearProtocol {
+  Protocol windows;
+  Demodulator demodulator;
+  std::int64_t steps,
+      rows;  ///< one row a step; the documented protocol closes with the instant after the last
+  double time_step, damping;
+  std::function<ShearRates(std::int64_t step, double time)> rates;
+};
+
+/// What a run records of them, and its figure reads.
 std::vector<Derived> derived_protocol(const Protocol& p, const std::string& frequency_unit);
 
-/// Warns of too few periods for moduli, or for their errors.
+/// Too few periods for moduli; and for errors of moduli that are fitted.
 void doubt_periods(const Case& c, Doubts& doubts);
 
 }  // namespace supple

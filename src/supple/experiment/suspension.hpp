@@ -1,4 +1,4 @@
-/// A microgel suspension ready for its protocol, in the documented model or that of the published package.
+/// A suspension of microgel discs ready for its protocol.
 #pragma once
 #include <memory>
 
@@ -6,6 +6,7 @@
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
+#include "supple/experiment/shear_protocol.hpp"
 #include "supple/model/crosslink.hpp"
 #include "supple/solve/stepper.hpp"
 
@@ -21,10 +22,30 @@ struct Suspension {
   MaterialConstants material;
 };
 
-/// Discs of the state, or at rest after preparation (docs/theory/microgel.md, Preparation; or as the package
-/// does it): relaxed, crosslinked and cut, relaxed again, plates in place. Progress and the table
-/// "preparation" go to the recorder. Throws a numerics error if the discs do not come to rest, and input
-/// errors of the model's constants. Time is that of the state; see start_clock().
+/// Discs of a model: as documented, or as another program computes them. Experiments on suspensions ask it
+/// for what differs.
+struct SuspensionModel {
+  /// What a run records of its laws and scales.
+  std::vector<Derived> (*constants)(const Case&, const InitialState*);
+  double (*time_step)(const Case&, const InitialState*);  ///< of `dynamics` [s]
+  ShearProtocol (*protocol)(const Case&, const InitialState*);
+  /// What follows besides from a protocol.
+  std::vector<Derived> (*consequences)(const Case&, const InitialState*, const ShearProtocol&);
+  Suspension (*make)(const Case&, const InitialState*, Recorder&);
+};
+/// As documented (docs/theory.md).
+const SuspensionModel& documented_model();
+/// That of the case's particles.
+const SuspensionModel& suspension_model(const Case& c);
+
+/// The particles of a state: contacts remember so many numbers; boundary and plates are those of the case,
+/// which has adopted the state's.
+void take_state(Suspension& s, const Case& c, const InitialState& initial, int history_width);
+
+/// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed,
+/// crosslinked and cut, relaxed again, plates in place. Progress and the table "preparation" go to the
+/// recorder. Throws a numerics error if the discs do not come to rest, and what make_* of the fidelity throw.
+/// Time is the state's own; see start_clock.
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
 
 /// Records the derived numbers, and what a continuation takes over besides the final state: constants of the

@@ -25,11 +25,6 @@ bool is_soft(const Case& c) { return has_polygons(c) && c.bodies.family != "roug
 const std::vector<Need>& needs() {
   using enum Need::Of;
   static const std::vector<Need> all{
-      {"preparation.stress_tolerance preparation.max_time", physics,
-       [](const Case& c) { return !is_package(c); },
-       "physics = \"documented\": the package relaxes for numbers of steps of its own"},
-      {"output.energies", physics, [](const Case& c) { return !is_package(c); },
-       "physics = \"documented\": contacts of the package have no energy"},
       {"initial.keep_time", start, [](const Case&) { return false; }, "a file to start from"},
       {"jamming.search", value,
        [](const Case& c) { return !starts_from_file(c) || c.jamming.search != "pressure"; },
@@ -124,10 +119,9 @@ bool is_of_next(const Case& c, std::string_view key) {
 std::string described(const Case& c) {
   std::string text = fmt::format("experiment = \"{}\"", c.general.experiment);
   const Experiment* e = experiment_or_none(c);
-  const bool of_several =
-      e && find_experiment(e->name, disc_matter()) && find_experiment(e->name, body_matter());
-  if (of_several && e->matter == &body_matter()) text += fmt::format(" of {}", e->matter->name);
-  if (is_package(c)) text += " with physics = \"particleshear-1.0.2\"";
+  Case plain;
+  plain.general.experiment = c.general.experiment;
+  if (e && e != &experiment_of(plain)) text += fmt::format(" of {}", e->matter->name);
   return text;
 }
 
@@ -139,6 +133,9 @@ std::string advice(const Case& c, std::string_view key) {
     if (field.name == name && other != key && uses(c, other)) here.push_back(other);
   });
   if (!here.empty()) return fmt::format("leave it away; here it is {}", fmt::join(here, ", "));
+  for (const Experiment& e : experiments())
+    if (e.name == c.general.experiment && declares(e.keys, key))
+      return fmt::format("leave it away; it is used with physics = \"{}\"", e.matter->physics);
   return fmt::format("leave it away; it is used by {}", fmt::join(users_of(key), ", "));
 }
 
@@ -160,7 +157,7 @@ std::vector<std::string> sections_of(const Case& c) {
 
 bool uses(const Case& c, std::string_view key) {
   const Experiment* e = experiment_or_none(c);
-  return e && declares(e->keys, key) && !unmet(c, key, Need::Of::physics);
+  return e && declares(e->keys, key);
 }
 
 std::vector<std::string> users_of(std::string_view key) {
@@ -184,9 +181,7 @@ std::vector<std::string> find_useless_keys(const Case& c, Start start) {
     };
     if (!c.is_given(key) || std::visit(is_default, field.member)) return;
     const bool used = uses(c, key);
-    const Need* lacking = !used                     ? unmet(c, key, Need::Of::physics)
-                          : start == Start::nothing ? unmet(c, key, Need::Of::start)
-                                                    : nullptr;
+    const Need* lacking = used && start == Start::nothing ? unmet(c, key, Need::Of::start) : nullptr;
     if (used ? !lacking : is_of_next(c, key)) return;
     const std::string place = c.origin.empty() ? "" : c.origin + ": ";
     if (lacking)

@@ -18,8 +18,8 @@ UsedKeys with(UsedKeys common, const UsedKeys& more);
 
 /// What keys need besides an experiment that uses them.
 struct Need {
-  /// A need of the physics, of a state to start from, or of the value of another key.
-  enum class Of { physics, start, value };
+  /// Of a state to start from, of another key.
+  enum class Of { start, value };
   std::string_view keys;  ///< names with spaces between
   Of of;
   bool (*met)(const Case&);

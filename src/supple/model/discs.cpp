@@ -64,21 +64,6 @@ System<2> random_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t se
   return system;
 }
 
-System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed) {
-  check(spec, box.volume());
-  const double b = spec.size_ratio, mean_square = (b + 1 / b) / 2;  // of sqrt(b) and 1/sqrt(b)
-  const double unit = std::sqrt(spec.packing_fraction * box.volume() / (spec.count * pi * mean_square));
-  System<2> system;
-  system.box = box;
-  for (int i = 0; i < spec.count; ++i) {
-    const bool large = RandomStream(seed, Purpose::disc_size, static_cast<std::uint64_t>(i)).below(2) == 1;
-    const Vec2 x = random_position(box, seed, i);
-    add_disc(system.state, {std::floor(x[0]), std::floor(x[1])},
-             unit * (large ? std::sqrt(b) : 1 / std::sqrt(b)), spec.density * mean_square);
-  }
-  return system;
-}
-
 System<2> hexagonal_discs(int columns, int rows, double spacing, double radius, double density) {
   if (columns < 1 || rows < 2 || rows % 2 != 0)
     throw input_error(fmt::format("a lattice of {} columns and {} rows", columns, rows),

@@ -28,13 +28,8 @@ void add_disc(State<2>& state, const Vec2& position, double radius, double densi
 /// numbers out of range.
 System<2> random_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
 
-/// The same suspension as the published package draws it (particleShear 1.0.2): each disc is large or small
-/// at random, so that the packing fraction holds only on average; positions are whole units of length; and
-/// the density is (b + 1/b) / 2 times the nominal one, because the package takes masses from equal discs.
-System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
-
-/// Equal discs on a triangular lattice with `spacing` between neighbours [length], in rows along the flow.
-/// The box is a whole number of its periods, so `rows` must be even.
+/// Equal discs on a periodic triangular lattice of rows along the flow; the box fits it, so `rows` must be
+/// even.
 System<2> hexagonal_discs(int columns, int rows, double spacing, double radius, double density);
 
 /// Discs as listed; velocity and spin are zero unless given. Input error where the lists differ in length.

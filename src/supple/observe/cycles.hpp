@@ -1,4 +1,4 @@
-/// What both ways of demodulating share: series, phases, and the error of a mean over cycles.
+/// What ways of demodulating share: series, phases, and what cycles say of their mean.
 #pragma once
 #include <cmath>
 #include <numbers>
@@ -9,10 +9,7 @@
 
 namespace supple {
 
-struct Sample {
-  double time, stress;
-};
-using Series = std::vector<Sample>;
+using Series = std::vector<StressSample>;
 
 /// Phase 2 pi (frequency t - pre) of the oscillation at a time [radian].
 inline double phase_of(const Protocol& p, double time) {
@@ -25,10 +22,6 @@ inline double first_measured(const Protocol& p) { return p.periods >= 2 ? 1 : 0;
 /// Error and change per cycle of a modulus from its values in the cycles (docs/theory/microgel.md,
 /// Demodulation). Does not set `value`.
 Modulus modulus_of_cycles(const std::vector<double>& cycles);
-
-/// Demodulates as the published package does (DriftCorrection::published). Sets all but the values of the
-/// moduli.
-Demodulation project_as_published(Series series, const Protocol& p);
 
 inline Error too_few_samples() {
   return input_error("the stress cannot be demodulated", "too few samples in a cycle",

@@ -66,11 +66,11 @@ std::vector<double> solve(std::vector<std::vector<double>> m, std::vector<double
 }
 
 /// Samples with begin <= t < end.
-std::span<const Sample> samples_in(const Series& series, const Protocol& p, const Window& w) {
-  const double tolerance = 1e-6 / p.frequency;  // for times that are sums of steps
+std::span<const StressSample> samples_in(const Series& series, const Protocol& p, const Window& w) {
+  const double tolerance = 1e-6 / p.frequency;  // of times that were summed up
   const auto at = [&](double time) {
     return std::lower_bound(series.begin(), series.end(), time - tolerance,
-                            [](const Sample& s, double t) { return s.time < t; });
+                            [](const StressSample& s, double t) { return s.time < t; });
   };
   return {at(w.begin), at(w.end)};
 }
@@ -78,7 +78,7 @@ std::span<const Sample> samples_in(const Series& series, const Protocol& p, cons
 /// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours; after
 /// the last sample comes the first one again, a window later. Even sampling has even weights.
 std::vector<double> fit(const Series& series, const Protocol& p, const Window& w, const Model& model) {
-  const std::span<const Sample> samples = samples_in(series, p, w);
+  const std::span<const StressSample> samples = samples_in(series, p, w);
   const std::size_t n = model.size(), count = samples.size();
   if (count < n) throw too_few_samples();
   std::vector<std::vector<double>> m(n, std::vector<double>(n));
@@ -117,13 +117,29 @@ double slope_of_constants(const std::vector<std::vector<double>>& cycles) {
 }
 
 void remove_ramp(Series& series, double slope, double from) {
-  for (Sample& s : series) s.stress -= slope * (s.time - from);
+  for (StressSample& s : series) s.stress -= slope * (s.time - from);
 }
 
-/// A ramp fitted together with a few harmonics takes up a part of the harmonics that are not fitted.
-/// Harmonics of any order are the same in all cycles, so that with two or more cycles the rest of the ramp is
-/// found from the change of the constant from cycle to cycle.
-Demodulation fit_all(Series series, const Protocol& p) {
+void check(std::span<const double> time, std::span<const double> stress, const Protocol& p) {
+  constexpr const char* failed = "the stress cannot be demodulated";
+  if (time.size() != stress.size() || time.empty())
+    throw input_error(failed,
+                      std::to_string(time.size()) + " times, " + std::to_string(stress.size()) + " stresses");
+  if (std::adjacent_find(time.begin(), time.end(), std::greater_equal<>{}) != time.end())
+    throw input_error(failed, "its times do not ascend");
+  if (!(p.frequency > 0 && p.amplitude > 0 && p.periods > 0 && p.pre >= 0 && p.post >= 0))
+    throw input_error(failed, "frequency, amplitude and periods must be positive, the rests not negative");
+}
+
+}  // namespace
+
+/// A ramp that is fitted beside a few harmonics takes up some of those that are not fitted. What it is wrong
+/// by shows from cycle to cycle, as harmonics of any order do not: two and more cycles correct it.
+Demodulation fit_harmonics(std::vector<StressSample> series, const Protocol& p) {
+  if (p.periods < 1 - 1e-9)
+    throw input_error("the stress cannot be demodulated",
+                      "less than one period of shear tells G', G'', offset and drift not apart",
+                      "shear for at least one period");
   Demodulation result;
   const int cycles = result.cycles = whole_number<int>(std::floor(p.periods - first_measured(p) + 1e-9),
                                                        "cycles of the shear", "lower shear.periods");
@@ -160,33 +176,13 @@ Demodulation fit_all(Series series, const Protocol& p) {
   return result;
 }
 
-void check(std::span<const double> time, std::span<const double> stress, const Protocol& p) {
-  constexpr const char* failed = "the stress cannot be demodulated";
-  if (time.size() != stress.size() || time.empty())
-    throw input_error(failed,
-                      std::to_string(time.size()) + " times, " + std::to_string(stress.size()) + " stresses");
-  if (std::adjacent_find(time.begin(), time.end(), std::greater_equal<>{}) != time.end())
-    throw input_error(failed, "its times do not ascend");
-  if (!(p.frequency > 0 && p.amplitude > 0 && p.periods > 0 && p.pre >= 0 && p.post >= 0))
-    throw input_error(failed, "frequency, amplitude and periods must be positive, the rests not negative");
-}
-
-}  // namespace
-
 Demodulation demodulate(std::span<const double> time, std::span<const double> stress, const Protocol& p,
-                        DriftCorrection correction) {
+                        Demodulator demodulator) {
   check(time, stress, p);
-  const bool published = correction == DriftCorrection::published;
-  if (!published && p.periods < 1 - 1e-9)
-    throw input_error("the stress cannot be demodulated",
-                      "less than one period of shear tells G', G'', offset and "
-                      "drift not apart",
-                      "shear for at least one period");
   Series series;
   series.reserve(time.size());
   for (std::size_t i = 0; i < time.size(); ++i) series.push_back({time[i], stress[i]});
-  Demodulation result =
-      published ? project_as_published(std::move(series), p) : fit_all(std::move(series), p);
+  Demodulation result = demodulator(std::move(series), p);
   result.storage.value = result.in_phase / p.amplitude;
   result.loss.value = result.out_of_phase / p.amplitude;
   return result;

@@ -12,15 +12,10 @@ struct Protocol {
   double pre = 2, periods = 3, post = 1;
 };
 
-/// How drift is taken out. `right`: fitted together with the harmonics. `published`: as particleShear 1.0.2
-/// does it, from the rests before and after, with the wrong sign, which doubles the drift, and with sums that
-/// hold both ends of the window.
-enum class DriftCorrection { right, published };
-
-/// A modulus, the mean over the measured cycles, and its error: how far many more cycles of the same sample
-/// might lead. The error is the root of the sum of two squares: the standard error of the mean times
-/// student_factor(), and the change over the measured cycles, as samples age. Twice the error is meant to
-/// cover 95 %; docs/statistics.md says how often it does.
+/// A modulus: mean of the measured cycles. The error is of what many more cycles of the same sample would
+/// give: the standard error of the mean times Student's factor, so that twice it covers 95 % where cycles
+/// scatter, and beside it (as squares) the change over the measured cycles, as samples age
+/// (docs/statistics.md: how often it covers).
 struct Modulus {
   double value = 0, error = -1;          ///< -1 with fewer than three cycles
   double change = 0, change_error = -1;  ///< per cycle, by the straight line through the cycles; -1 as above
@@ -40,18 +35,27 @@ struct Demodulation {
   int cycles = 0;                               ///< whole cycles that were measured
 };
 
-/// Demodulates whole cycles: those that end with the shear and begin at least one period after its start (if
-/// periods < 2, after the start itself).
-///
-/// `right` fits offset, ramp and harmonics together by least squares over these cycles; a sample weighs as
-/// much as the time it stands for, and the rests have no part. Harmonics: the first to the fifth, as far as
-/// the sampling allows; in a single cycle, where a ramp cannot be told from more, the first and the third.
-/// The fit is exact for such signals at any sampling. For even sampling G' = sum tau sin / sum sin^2 / A, tau
-/// without its ramp. `published` follows the package to rounding, from one period after the start of shear to
-/// its end, whole cycles or not. Input errors: spans of different length, times that do not ascend, numbers
-/// out of range, less than one period, too few samples.
+/// An instant of a series.
+struct StressSample {
+  double time, stress;
+};
+
+/// What becomes of a series that was checked. Sets all but the values of the moduli, which follow from the
+/// amplitudes.
+using Demodulator = Demodulation (*)(std::vector<StressSample>, const Protocol&);
+
+/// Fits offset, ramp and harmonics together by least squares over these cycles, samples weighted by
+/// the time they stand for; the rests have no part in it. Harmonics: the first to the fifth, as far as the
+/// sampling allows; first and third in a single cycle, where a ramp cannot be told from more. Exact for such
+/// signals at any sampling; for even sampling G' = sum tau sin / sum sin^2 / A, tau without its ramp.
+/// Input errors: less than one period, or too few samples.
+Demodulation fit_harmonics(std::vector<StressSample> series, const Protocol& protocol);
+
+/// Demodulates the whole cycles from one period after the start of shear (from the start itself if periods <
+/// 2) that end with it. Input errors: spans that differ in length, times that do not ascend, numbers out of
+/// range, and those of the demodulator.
 Demodulation demodulate(std::span<const double> time, std::span<const double> stress,
-                        const Protocol& protocol, DriftCorrection correction = DriftCorrection::right);
+                        const Protocol& protocol, Demodulator demodulator = fit_harmonics);
 
 /// Samples that a cycle needs: as many as unknowns, seven up to the third harmonic and one for the ramp.
 inline constexpr int least_samples_of_cycle = 8;

@@ -1,8 +1,10 @@
 #include "supple/io/run/run_pictures.hpp"
 
+#include <fmt/format.h>
+
 #include "supple/core/error.hpp"
 #include "supple/draw/chart/plot.hpp"
-#include "supple/experiment/case.hpp"
+#include "supple/experiment/experiments.hpp"
 
 namespace supple {
 
@@ -18,22 +20,16 @@ Protocol protocol_of(const RunFile& run) {
 
 /// A stress of the table: its name in columns and results, and its name in the legend.
 struct StressName {
-  const char* key;
-  const char* legend;
+  std::string key, legend;
 };
-/// Stresses that do not depend on where the cell is cut.
-constexpr StressName bulk_stresses[] = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}};
-constexpr StressName published_stresses[] = {{"internal", "internal (overall tensor)"},
-                                             {"external", "external forces"}};
 
-/// The stresses that the figure of a run shows: those from which moduli are to be taken or, of the published
-/// program, those that it draws.
+/// Those that the figure of a run shows and that it has.
 std::vector<StressName> drawn_stresses(const RunFile& run, const Case& c) {
-  if (is_package(c)) return {std::begin(published_stresses), std::end(published_stresses)};
   std::vector<StressName> there;
-  for (const StressName& s : bulk_stresses)
+  for (const auto& [key, legend] : experiment_of(c).matter->curves)
     for (const Column& column : run.columns(stress_table))
-      if (column.name == std::string("shear_stress_") + s.key) there.push_back(s);
+      if (column.name == fmt::format("shear_stress_{}", key))
+        there.push_back({std::string(key), std::string(legend)});
   return there;
 }
 

@@ -1,4 +1,4 @@
-#include "supple/solve/particleshear_step.hpp"
+#include "supple/compat/particleshear/step.hpp"
 
 #include <fmt/core.h>
 

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "supple/experiment/particleshear_protocol.hpp"
+#include "supple/compat/particleshear/protocol.hpp"
+#include "supple/core/random.hpp"
 #include "supple/experiment/suspension.hpp"
 #include "supple/model/discs.hpp"
 #include "supple/model/sanity.hpp"
@@ -106,6 +107,20 @@ void remove_mean_velocity(State<2>& s) {
 
 }  // namespace
 
+System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed) {
+  const double b = spec.size_ratio, mean_square = (b + 1 / b) / 2;  // of sqrt(b) and 1/sqrt(b)
+  const double unit =
+      std::sqrt(spec.packing_fraction * box.volume() / (spec.count * std::numbers::pi * mean_square));
+  std::vector<Vec2> position = random_discs(box, spec, seed).state.position;
+  std::vector<double> radius;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    position[i] = {std::floor(position[i][0]), std::floor(position[i][1])};
+    const bool large = RandomStream(seed, Purpose::disc_size, i).below(2) == 1;
+    radius.push_back(unit * (large ? std::sqrt(b) : 1 / std::sqrt(b)));
+  }
+  return listed_discs(box, position, radius, spec.density * mean_square);
+}
+
 std::vector<ParticleShearStage> particleshear_preparation(const Case& c, const ParticleShearRun& run) {
   Stages stages;
   relax_suspension(stages, c, run);
@@ -144,7 +159,9 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
     if (stage.then == Then::remove_drift) remove_mean_velocity(system.state);
     if (stage.then == Then::link) {
       stepper.update_neighbors(system);
-      crosslink(system, crosslink_spec(c), seed);
+      CrosslinkSpec spec = crosslink_spec(c);
+      spec.join = IsolatedJoin::last;
+      crosslink(system, spec, seed);
     }
   }
   system.time = 0;

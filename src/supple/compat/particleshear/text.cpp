@@ -1,4 +1,4 @@
-#include "supple/io/export/published_text.hpp"
+#include "supple/compat/particleshear/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "supple/solve/particleshear_contacts.hpp"
+#include "supple/compat/particleshear/contacts.hpp"
 
 #include <algorithm>
 #include <array>

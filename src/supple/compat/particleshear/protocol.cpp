@@ -1,4 +1,4 @@
-#include "supple/experiment/particleshear_protocol.hpp"
+#include "supple/compat/particleshear/protocol.hpp"
 
 #include <algorithm>
 #include <cmath>

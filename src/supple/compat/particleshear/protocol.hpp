@@ -5,10 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "supple/compat/particleshear/step.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
-#include "supple/solve/particleshear_step.hpp"
+#include "supple/model/discs.hpp"
 
 namespace supple {
 
@@ -46,6 +47,11 @@ ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial
 
 /// What a run records of it.
 std::vector<Derived> derived_constants(const ParticleShearRun& run);
+
+/// The package's draw of the suspension: each disc large or small at random, so that the packing fraction
+/// holds on average; positions on whole units of length; density (b + 1/b)/2 times the nominal one, because
+/// its masses assume equal discs.
+System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
 
 /// A part of the preparation: steps of one kind.
 struct ParticleShearStage {

@@ -1,4 +1,6 @@
 /// Demodulation as particleShear 1.0.2 does it.
+#include "supple/compat/particleshear/demodulate.hpp"
+
 #include <array>
 
 #include "supple/core/whole_number.hpp"
@@ -17,21 +19,21 @@ Coefficients basis(const Protocol& p, double time) {
 
 /// Mean of the samples for which `in` holds; `otherwise` where there are none.
 template <class In>
-Sample mean_where(const Series& series, const Sample& otherwise, In in) {
-  Sample sum{0, 0};
+StressSample mean_where(const Series& series, const StressSample& otherwise, In in) {
+  StressSample sum{0, 0};
   int count = 0;
-  for (const Sample& s : series)
+  for (const StressSample& s : series)
     if (in(s.time)) {
       sum.time += s.time;
       sum.stress += s.stress;
       ++count;
     }
-  return count ? Sample{sum.time / count, sum.stress / count} : otherwise;
+  return count ? StressSample{sum.time / count, sum.stress / count} : otherwise;
 }
 
 /// Stress before and after the shear: means of the thirds of the rests that are next to it.
 struct Rests {
-  Sample before, after;
+  StressSample before, after;
   double drift() const {
     return after.time > before.time ? (after.stress - before.stress) / (after.time - before.time) : 0;
   }
@@ -47,7 +49,7 @@ Rests find_rests(const Series& series, const Protocol& p) {
 /// The package's sums, sum tau f / sum f^2 for each function by itself, over begin <= t <= end.
 Coefficients project(const Series& series, const Protocol& p, double begin, double end) {
   Coefficients sum{}, square{};
-  for (const Sample& s : series) {
+  for (const StressSample& s : series) {
     if (s.time < begin || s.time > end) continue;
     const Coefficients f = basis(p, s.time);
     for (int i = 0; i < terms; ++i) {
@@ -61,13 +63,13 @@ Coefficients project(const Series& series, const Protocol& p, double begin, doub
 
 }  // namespace
 
-Demodulation project_as_published(Series series, const Protocol& p) {
+Demodulation demodulate_as_published(std::vector<StressSample> series, const Protocol& p) {
   const Rests rests = find_rests(series, p);
   const double start = p.pre / p.frequency, end = (p.pre + p.periods) / p.frequency;
   Demodulation result;
   result.drift = rests.drift();
   result.offset = rests.before.stress + result.drift * (start - rests.before.time);
-  for (Sample& s : series) s.stress -= (s.time - start) * -result.drift;
+  for (StressSample& s : series) s.stress -= (s.time - start) * -result.drift;
 
   const double skipped = first_measured(p);
   const Coefficients c = project(series, p, (p.pre + skipped) / p.frequency, end);

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "supple/compat/particleshear/contacts.hpp"
 #include "supple/contact/neighbor_list.hpp"
-#include "supple/solve/particleshear_contacts.hpp"
 #include "supple/solve/stepper.hpp"
 
 namespace supple {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "supple/contact/laws/particleshear.hpp"
+#include "supple/compat/particleshear/law.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
