@@ -122,7 +122,7 @@ TEST_F(Documents, WhatInitSaysNext) {
     plain.general.experiment = e.name;
     const bool is_first = &experiment_of(plain) == &e;
     expect_to_work("supple init " + e.name +
-                   (is_first ? "" : " --physics " + std::string(e.matter->physics.front())));
+                   (is_first ? "" : " --physics " + std::string(e.matter->physics)));
     const std::string said = read_text(path("log"));
     const auto at = said.find("next: ");
     ASSERT_NE(at, said.npos) << said;
