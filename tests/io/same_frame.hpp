@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "supple/model/frame.hpp"
+#include "supple/experiment/recorder.hpp"
 #include "tests/io/same_system.hpp"
 
 namespace supple::testing {
