@@ -64,13 +64,13 @@ Json parameter_json(const std::string& key, const Field<P>& field, const P& defa
 
 Json parameters_json(const std::string& only) {
   Json sections = Json::object();
-  const Case defaults;
+  const Case defaults = every_section();
   for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
-    const std::string name = section.empty() ? "general" : std::string(section);
+    const std::string name = section.empty() ? "general" : std::string(section.substr(0, section.find('.')));
     if (!only.empty() && only != name) return;
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
-      sections[name].push_back(
-          parameter_json((section.empty() ? "" : name + ".") + std::string(field.name), field, parameters));
+      sections[name].push_back(parameter_json(
+          (section.empty() ? "" : fmt::format("{}.", section)) + std::string(field.name), field, parameters));
   });
   return sections;
 }
@@ -78,9 +78,10 @@ Json parameters_json(const std::string& only) {
 /// The commented case, or its part from the line [section] to the next one; "general": what stands above any
 /// section.
 std::string section_text(const std::string& section) {
-  const std::string text = write_case(Case{}, CaseStyle::all);
+  const std::string text = write_case(every_section(), CaseStyle::all);
   if (section.empty()) return text;
-  const auto begin = section == "general" ? 0 : text.find("\n[" + section + "]") + 1;
+  const std::string title = section == "species" ? "[[species]]" : "[" + section + "]";
+  const auto begin = section == "general" ? 0 : text.find("\n" + title) + 1;
   const auto end = text.find("\n[", begin);
   return text.substr(begin, end == text.npos ? end : end - begin);
 }

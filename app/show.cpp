@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/draw/chart/uncertainty.hpp"
+#include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/run/run_file.hpp"
 
@@ -54,7 +55,7 @@ Json values_json(const std::vector<RunValue>& values) {
 /// The family of the particles; empty where they come from a file, which knows only stiffnesses.
 std::string family_of(const RunFile& run) {
   const Case c = run.resolved_case();
-  return c.initial.state.empty() && c.initial.packing.empty() ? c.bodies.family : "";
+  return c.initial.state.empty() && c.initial.packing.empty() ? families_of(c) : "";
 }
 
 /// What the run holds, in numbers for programs and in words.

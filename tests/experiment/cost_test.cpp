@@ -108,7 +108,7 @@ TEST(Cost, SitesAreCountedBeforeTheyAreMade) {
     Case c = bodies_case("jamming", family);
     c.bodies.discs = 3;
     c.bodies.vertex_rule = "scaled";
-    EXPECT_EQ(BodySizes(c.bodies).sites(), make_packing(c, nullptr, 0.3).system.state.size());
+    EXPECT_EQ(sample_size(c).sites, make_packing(c, nullptr, 0.3).system.state.size());
   }
 }
 

@@ -1,11 +1,12 @@
 #include "supple/experiment/bodies_of_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "supple/core/error.hpp"
@@ -24,61 +25,65 @@ namespace {
 
 using std::numbers::pi;
 
-bool has_polygons(const Bodies& b) { return b.family != "disc"; }
-
 Outline outline_of(const Case& c) { return c.contact.kind == "smooth" ? Outline::smooth : Outline::rough; }
 
-/// p^2/(4 pi a) that a particle of n vertices prefers; 0: of the regular polygon.
-double preferred_shape_parameter(const Bodies& b, int n, bool large) {
-  if (b.family == "rough_disc") return 0;
-  const double ratio = large && b.shape_ratio_large > 0 ? b.shape_ratio_large : b.shape_ratio;
-  return ratio > 0 ? ratio * least_shape_parameter(n) : b.shape_parameter;
+/// p^2/(4 pi a) that a particle prefers; 0: of the regular polygon.
+double preferred_shape_parameter(const ParticleKind& p) {
+  if (!is_soft(p)) return 0;
+  return p.shape_ratio > 0 ? p.shape_ratio * least_shape_parameter(p.vertices) : p.shape_parameter;
 }
 
-ShapeSpec shape_spec(const Bodies& b, int n, bool large) {
-  return {b.k_a,
-          b.k_l,
-          b.k_b,
-          b.gamma,
-          b.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
-          preferred_shape_parameter(b, n, large)};
+ShapeSpec shape_spec(const Case& c, const ParticleKind& p) {
+  return {p.k_a,
+          p.k_l,
+          p.k_b,
+          p.gamma,
+          c.bodies.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
+          preferred_shape_parameter(p)};
 }
+
+double preferred_area(const Species& s) { return s.diameter * s.diameter; }
 
 /// With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
 /// lets it buckle, another one each particle.
-bool buckles(const Bodies& b, const BodySizes& sizes, int body) {
-  const int n = sizes.vertices(body);
-  return n > 1 && b.family != "rough_disc" &&
-         preferred_shape_parameter(b, n, sizes.is_large(body)) > least_shape_parameter(n) * (1 + 1e-9);
+bool buckles(const ParticleKind& p) {
+  return is_soft(p) && preferred_shape_parameter(p) > least_shape_parameter(p.vertices) * (1 + 1e-9);
 }
 
-/// Adds the particle `body` of the case about a centre.
-void add_particle(const Case& c, const BodySizes& sizes, int body, const Vec2& centre, System<2>& system) {
-  const Bodies& b = c.bodies;
-  const double area = sizes.area(body);
-  const int n = sizes.vertices(body);
-  if (n == 1) return add_disc_body(system, centre, std::sqrt(area / pi));
+/// Adds the particle `body` of the case, of this species, about a centre.
+void add_particle(const Case& c, const Species& species, int body, const Vec2& centre, System<2>& system) {
+  const double area = preferred_area(species);
+  if (is_disc(species)) return add_disc_body(system, centre, std::sqrt(area / pi));
   RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle,
                     static_cast<std::uint64_t>(body));
-  const ShapeSpec shape = shape_spec(b, n, sizes.is_large(body));
   const int index = system.topology.body_count(system.state.size());
-  add_polygon(system, centre, area, n, draw.uniform(0, 2 * pi), b.diameter_ratio, shape);
-  if (b.family == "rough_disc") return make_rigid(system, index);
-  if (!buckles(b, sizes, body)) return;
+  add_polygon(system, centre, area, species.vertices, draw.uniform(0, 2 * pi), species.diameter_ratio,
+              shape_spec(c, species));
+  if (!is_soft(species)) return make_rigid(system, index);
+  if (!buckles(species)) return;
   for (int i = system.topology.begin[index]; i < system.topology.begin[index + 1]; ++i)
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
-/// The widest particle of the case: the first or the last one that is no extra disc, or an extra disc.
-double widest_particle(const Case& c, const BodySizes& sizes) {
+/// The species of each particle.
+std::vector<const Species*> species_of_bodies(const std::vector<Species>& all) {
+  std::vector<const Species*> of_body;
+  for (const Species& s : all) of_body.insert(of_body.end(), static_cast<std::size_t>(s.count), &s);
+  return of_body;
+}
+
+/// The widest particle of the case.
+double widest_particle(const Case& c, const std::vector<Species>& all) {
   double widest = 0;
-  for (const int body : {0, sizes.particles - 1, sizes.bodies() - 1}) {
+  int first = 0;
+  for (const Species& s : all) {
     System<2> alone;
-    add_particle(c, sizes, body, {}, alone);
+    add_particle(c, s, first, {}, alone);
     const double width = 2 * outer_radius(alone, 0);
     alone.box.length = {width, width};
     require_sane(alone, "these particles");
     widest = std::max(widest, width);
+    first += s.count;
   }
   return widest;
 }
@@ -88,56 +93,87 @@ struct LooseBody {
 };
 
 /// One particle with nothing else as far as `apart` of it.
-LooseBody measure_alone(const Case& c, const BodySizes& sizes, int body, const Vec2& centre, double apart) {
+LooseBody measure_alone(const Case& c, const Species& species, int body, const Vec2& centre, double apart) {
   System<2> alone;
-  add_particle(c, sizes, body, centre, alone);
+  add_particle(c, species, body, centre, alone);
   alone.box.length = {apart, apart};
   return {packing_fraction(alone, outline_of(c)).area[0], outer_radius(alone, 0)};
 }
 
-/// Those that the case does not draw, one of each kind.
-std::array<std::optional<LooseBody>, BodySizes::kinds> measure_kinds(const Case& c, const BodySizes& sizes,
-                                                                     double apart) {
-  std::array<std::optional<LooseBody>, BodySizes::kinds> found;
-  for (const int body : {0, sizes.particles - 1, sizes.bodies() - 1})
-    if (auto& of_kind = found[static_cast<std::size_t>(sizes.kind(body))];
-        !of_kind && !buckles(c.bodies, sizes, body))
-      of_kind = measure_alone(c, sizes, body, {}, apart);
+/// One of each species that the case does not draw.
+std::map<const Species*, LooseBody> measure_kinds(const Case& c, const std::vector<Species>& all,
+                                                  double apart) {
+  std::map<const Species*, LooseBody> found;
+  for (const Species& s : all)
+    if (!buckles(s)) found[&s] = measure_alone(c, s, 0, {}, apart);
   return found;
 }
 
 }  // namespace
 
-BodySizes::BodySizes(const Bodies& b)
-    : particles(b.count),
-      discs(has_polygons(b) ? b.discs : 0),
-      large(static_cast<int>(std::lround(b.large_fraction * b.count))),
-      ratio(b.size_ratio),
-      vertices_small(has_polygons(b) ? b.vertices : 1),
-      vertices_large(has_polygons(b) && b.vertex_rule == "scaled"
-                         ? static_cast<int>(std::lround(b.size_ratio * b.vertices))
-                         : vertices_small) {}
+std::vector<Species> species_of(const Case& c) {
+  if (!c.species.empty()) return c.species;
+  const Bodies& b = c.bodies;
+  const auto large_count = static_cast<int>(std::lround(b.large_fraction * b.count));
+  Species small{b}, large{b, b.size_ratio}, disc{b};
+  small.count = b.count - large_count;
+  large.count = large_count;
+  if (b.vertex_rule == "scaled") large.vertices = static_cast<int>(std::lround(b.size_ratio * b.vertices));
+  if (b.shape_ratio_large > 0) large.shape_ratio = b.shape_ratio_large;
+  disc.family = "disc";
+  disc.count = is_disc(b) ? 0 : b.discs;
+  std::vector<Species> all;
+  for (const Species& s : {small, large, disc})
+    if (s.count > 0) all.push_back(s);
+  return all;
+}
 
-std::int64_t BodySizes::sites() const {
-  return std::int64_t{particles - large} * vertices_small + std::int64_t{large} * vertices_large + discs;
+bool is_disc(const ParticleKind& kind) { return kind.family == "disc"; }
+bool is_soft(const ParticleKind& kind) { return !is_disc(kind) && kind.family != "rough_disc"; }
+
+bool has_polygons(const Case& c) {
+  const std::vector<Species> all = species_of(c);
+  return std::any_of(all.begin(), all.end(), [](const Species& s) { return !is_disc(s); });
+}
+bool has_soft(const Case& c) {
+  const std::vector<Species> all = species_of(c);
+  return std::any_of(all.begin(), all.end(), [](const Species& s) { return is_soft(s); });
+}
+
+std::string families_of(const Case& c) {
+  if (c.species.empty()) return c.bodies.family;
+  std::vector<std::string> names;
+  for (const Species& s : c.species) names.push_back(fmt::format("{} {}", s.count, s.family));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+SampleSize sample_size(const Case& c) {
+  SampleSize count;
+  for (const Species& s : species_of(c)) {
+    count.bodies += s.count;
+    count.sites += std::int64_t{s.count} * (is_disc(s) ? 1 : s.vertices);
+  }
+  return count;
 }
 
 LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure,
                          Measured measured) {
-  const BodySizes sizes(c.bodies);
-  const int bodies = sizes.bodies();
+  const std::vector<Species> all = species_of(c);
+  const std::vector<const Species*> species = species_of_bodies(all);
+  const auto bodies = static_cast<int>(species.size());
   LooseBodies loose;
-  const double pitch = std::max(1e2, 1.1 * widest_particle(c, sizes));
+  const double pitch = std::max(1e2, 1.1 * widest_particle(c, all));
   const double apart = std::max(1e4, 2 * pitch) * bodies;
   std::vector<double> area(static_cast<std::size_t>(bodies));
   loose.radius.resize(area.size());
-  std::array<std::optional<LooseBody>, BodySizes::kinds> kinds;
-  if (measured == Measured::kinds) kinds = measure_kinds(c, sizes, apart);
+  std::map<const Species*, LooseBody> kinds;
+  if (measured == Measured::kinds) kinds = measure_kinds(c, all, apart);
   for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (auto b = static_cast<int>(begin); b < end; ++b) {
-      const auto& known = kinds[static_cast<std::size_t>(sizes.kind(b))];
+      const auto known = kinds.find(species[b]);
       // Every packing follows, to the last bit, from areas there.
-      const LooseBody body = known ? *known : measure_alone(c, sizes, b, {pitch * b, 0}, apart);
+      const LooseBody body =
+          known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);
       area[b] = body.area;
       loose.radius[b] = body.radius;
     }
@@ -161,13 +197,15 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
 }
 
 System<2> particles_apart(const Case& c) {
-  const BodySizes sizes(c.bodies);
-  const double pitch = 2 * widest_particle(c, sizes);
-  const auto side = static_cast<int>(std::ceil(std::sqrt(sizes.bodies())));
+  const std::vector<Species> all = species_of(c);
+  const std::vector<const Species*> species = species_of_bodies(all);
+  const auto bodies = static_cast<int>(species.size());
+  const double pitch = 2 * widest_particle(c, all);
+  const auto side = static_cast<int>(std::ceil(std::sqrt(bodies)));
   System<2> system;
   system.box.length = {pitch * side, pitch * side};
-  for (int b = 0; b < sizes.bodies(); ++b)
-    add_particle(c, sizes, b, {pitch * (b % side + 0.5), pitch * (b / side + 0.5)}, system);
+  for (int b = 0; b < bodies; ++b)
+    add_particle(c, *species[b], b, {pitch * (b % side + 0.5), pitch * (b / side + 0.5)}, system);
   return system;
 }
 
@@ -175,14 +213,16 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
                          const std::function<bool()>& stop_requested) {
   const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure);
   const std::vector<Vec2> centre = random_centres(loose.radius, loose.cell, c.general.seed, stop_requested);
-  const BodySizes sizes(c.bodies);
+  const std::vector<Species> all = species_of(c);
+  const std::vector<const Species*> species = species_of_bodies(all);
   System<2> system;
   system.box = loose.cell;
-  for (int b = 0; b < sizes.bodies(); ++b) add_particle(c, sizes, b, centre[b], system);
+  for (std::size_t b = 0; b < species.size(); ++b)
+    add_particle(c, *species[b], static_cast<int>(b), centre[b], system);
   if (const Soundness s = look_at(system, outline_of(c));
       s.inside + s.crossing > 0 && c.contact.unsound == "stop")
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),
-                      fmt::format("there is no room, of {} particles: {}", sizes.bodies(), s.what()),
+                      fmt::format("there is no room, of {} particles: {}", species.size(), s.what()),
                       "start at a lower one, and compress");
   return system;
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "supple/experiment/case.hpp"
 #include "supple/model/system.hpp"
@@ -10,28 +12,25 @@
 
 namespace supple {
 
-/// Numbers of particles and vertices. Particles come first, small before large, then the extra discs.
-struct BodySizes {
-  explicit BodySizes(const Bodies& b);
+/// The kinds of particles of a case, in the order of its bodies: those of [[species]]; or of [bodies] the
+/// small ones, the large ones and the extra discs, as far as there are any.
+std::vector<Species> species_of(const Case& c);
 
-  int bodies() const { return particles + discs; }
-  /// Vertices and discs of all particles: up to 1e11 for keys in their ranges.
-  std::int64_t sites() const;
-  bool is_large(int body) const { return body >= particles - large && body < particles; }
-  /// Preferred area; 1 for small particles and extra discs.
-  double area(int body) const { return is_large(body) ? ratio * ratio : 1; }
-  /// Particles of one kind are drawn alike: small, large, extra discs.
-  int kind(int body) const { return body >= particles ? 2 : is_large(body) ? 1 : 0; }
-  static constexpr int kinds = 3;
-  /// Number of vertices; 1 for a disc.
-  int vertices(int body) const {
-    return body >= particles ? 1 : is_large(body) ? vertices_large : vertices_small;
-  }
+bool is_disc(const ParticleKind& kind);
+/// Whether it has a shape energy: neither discs nor rigid polygons do.
+bool is_soft(const ParticleKind& kind);
+/// Any of the species.
+bool has_polygons(const Case& c);
+bool has_soft(const Case& c);
 
-  int particles, discs, large;
-  double ratio;
-  int vertices_small, vertices_large;
+/// "shell"; with [[species]] all of them: "32 shell, 16 disc".
+std::string families_of(const Case& c);
+
+/// Particles, and vertices and discs of all of them: up to 1e11 for keys in their ranges.
+struct SampleSize {
+  std::int64_t bodies = 0, sites = 0;
 };
+SampleSize sample_size(const Case& c);
 
 /// The shape of a cell: height over width, periodic or between walls. Its lengths follow from the packing
 /// fraction.

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "supple/core/duration.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
@@ -13,66 +14,92 @@ namespace {
 
 /// What would be known only after hours, or when memory is used up.
 void check_cost(const Case& c, Problems& problems) {
-  const BodySizes sizes(c.bodies);
-  if (sizes.sites() <= most_sites) return;
-  const double sites = static_cast<double>(sizes.sites());
+  const SampleSize count = sample_size(c);
+  if (count.sites <= most_sites) return;
+  const double sites = static_cast<double>(count.sites);
+  const std::string of_each =
+      c.species.empty() ? fmt::format(" of {} vertices", c.bodies.vertices) : std::string();
   add_problem(
-      problems, c,
-      fmt::format("{} particles of {} vertices are {:.3g} vertices", sizes.bodies(), c.bodies.vertices,
-                  sites),
+      problems, c, fmt::format("{} particles{} are {:.3g} vertices", count.bodies, of_each, sites),
       fmt::format("a run can have {:g}; these would need about {:.3g} GB of memory, and to jam them {}",
                   1.0 * most_sites, sites * bytes_per_site * 1e-9, describe_seconds(seconds_to_jam(sites))),
-      "lower bodies.N or bodies.vertices");
+      c.species.empty() ? "lower bodies.N or bodies.vertices" : "lower N or vertices of species");
 }
 
-void check_shape(const Case& c, Problems& problems) {
-  const Bodies& b = c.bodies;
-  const bool polygons = b.family != "disc";
-  const double least = least_shape_parameter(b.vertices);
-  if (polygons && b.shape_parameter > 0 && b.shape_parameter < least * (1 - 1e-12))
+/// The kinds of particles that the case describes, with the sections that do.
+std::vector<std::pair<std::string, const ParticleKind*>> kinds_of(const Case& c) {
+  std::vector<std::pair<std::string, const ParticleKind*>> kinds;
+  for (std::size_t k = 0; k < c.species.size(); ++k) kinds.emplace_back(species_section(k), &c.species[k]);
+  if (kinds.empty()) kinds.emplace_back("bodies", &c.bodies);
+  return kinds;
+}
+
+void check_ratio(const Case& c, const std::string& key, double ratio, Problems& problems) {
+  if (ratio > 0 && ratio < 1)
+    add_problem(problems, c, fmt::format("{} = {}", key, ratio), "no polygon is rounder than the regular one",
+                "give 1 or more, or 0 for the default");
+}
+
+void check_kind(const Case& c, const std::string& section, const ParticleKind& p, Problems& problems) {
+  const double least = least_shape_parameter(p.vertices);
+  if (!is_disc(p) && p.shape_parameter > 0 && p.shape_parameter < least * (1 - 1e-12))
     add_problem(problems, c,
-                fmt::format("bodies.A0 = {} with bodies.vertices = {}", b.shape_parameter, b.vertices),
+                fmt::format("{0}.A0 = {1} with {0}.vertices = {2}", section, p.shape_parameter, p.vertices),
                 fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least),
                 "raise A0, or 0 for the regular polygon");
-  if (c.is_given("bodies.A0") && b.shape_ratio > 0)
-    add_problem(problems, c, "bodies.A0 and bodies.A0_ratio",
+  if (c.is_given(section + ".A0") && p.shape_ratio > 0)
+    add_problem(problems, c, fmt::format("{0}.A0 and {0}.A0_ratio", section),
                 "the second is the first over that of the regular polygon", "leave one away");
-  for (const auto& [key, ratio] :
-       {std::pair{"A0_ratio", b.shape_ratio}, {"A0_ratio_large", b.shape_ratio_large}})
-    if (polygons && ratio > 0 && ratio < 1)
-      add_problem(problems, c, fmt::format("bodies.{} = {}", key, ratio),
-                  "no polygon is rounder than the regular one", "give 1 or more, or 0 for the default");
-}
-
-void check_bodies(const Case& c, Start, Problems& problems) {
-  if (c.initial.state.empty() && c.initial.packing.empty()) check_cost(c, problems);
-  check_shape(c, problems);
-  if (!c.initial.state.empty() && !c.initial.packing.empty())
-    add_problem(problems, c, "initial.state and initial.packing", "a run starts from one of them",
-                "leave one away");
-  if (c.bodies.family == "rough_disc" && c.contact.kind == "smooth")
-    add_problem(problems, c, "bodies.family = \"rough_disc\" with contact.kind = \"smooth\"",
+  if (!is_disc(p)) check_ratio(c, section + ".A0_ratio", p.shape_ratio, problems);
+  if (p.family == "rough_disc" && c.contact.kind == "smooth")
+    add_problem(problems, c,
+                fmt::format("{}.family = \"rough_disc\" with contact.kind = \"smooth\"", section),
                 "a rough disc is a ring of vertices",
                 "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
 }
 
-void doubt_bodies(const Case& c, Doubts& doubts) {
-  const Bodies& b = c.bodies;
-  const bool soft = b.family != "disc" && b.family != "rough_disc";
-  if (soft && b.family == "floppy" && b.k_b > 0)
-    doubts.push_back("bodies.k_b > 0: floppy particles have none, these are shells");
-  if (b.family != "disc" && c.contact.kind == "rough" && b.diameter_ratio < 1)
+/// Keys of [bodies] that say what [[species]] say.
+void check_species(const Case& c, Problems& problems) {
+  if (c.species.empty()) return;
+  for (const Field<Bodies>& field : fields<Bodies>()) {
+    const std::string key = fmt::format("bodies.{}", field.name);
+    const bool of_all =
+        field.name == "stiffness" || field.name == "yield_strain" || field.name == "flow_time";
+    if (!of_all && c.is_given(key))
+      add_problem(problems, c, key + " with [[species]]", "these say what particles there are",
+                  "give it in [[species]] in its place");
+  }
+}
+
+void check_bodies(const Case& c, Start, Problems& problems) {
+  if (c.initial.state.empty() && c.initial.packing.empty()) check_cost(c, problems);
+  for (const auto& [section, kind] : kinds_of(c)) check_kind(c, section, *kind, problems);
+  if (!is_disc(c.bodies)) check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
+  check_species(c, problems);
+  if (!c.initial.state.empty() && !c.initial.packing.empty())
+    add_problem(problems, c, "initial.state and initial.packing", "a run starts from one of them",
+                "leave one away");
+}
+
+void doubt_kind(const Case& c, const std::string& section, const ParticleKind& p, Doubts& doubts) {
+  if (p.family == "floppy" && p.k_b > 0)
+    doubts.push_back(fmt::format("{}.k_b > 0: floppy particles have none, these are shells", section));
+  if (!is_disc(p) && c.contact.kind == "rough" && p.diameter_ratio < 1)
     doubts.push_back(fmt::format(
-        "bodies.diameter_ratio = {}: edges are {:.3g} times as long as vertices are wide{}", b.diameter_ratio,
-        1 / b.diameter_ratio,
-        b.diameter_ratio > 0.5
+        "{}.diameter_ratio = {}: edges are {:.3g} times as long as vertices are wide{}", section,
+        p.diameter_ratio, 1 / p.diameter_ratio,
+        p.diameter_ratio > 0.5
             ? "; from 2 on, stretched edges among them, vertices of others pass between two vertices"
             : ", so that vertices of other particles pass between two vertices"));
-  if (soft && b.gamma > 0 && b.k_l < 0.1 * b.gamma)
+  if (is_soft(p) && p.gamma > 0 && p.k_l < 0.1 * p.gamma)
     doubts.push_back(
-        fmt::format("bodies.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. "
-                    "They gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
-                    b.gamma, b.k_l));
+        fmt::format("{}.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. They "
+                    "gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
+                    section, p.gamma, p.k_l));
+}
+
+void doubt_bodies(const Case& c, Doubts& doubts) {
+  for (const auto& [section, kind] : kinds_of(c)) doubt_kind(c, section, *kind, doubts);
 }
 
 HeldKeys keys_of_bodies(const InitialState& initial) {
@@ -92,7 +119,7 @@ void adopt_bodies(Case& c, const InitialState& initial) {
 }
 
 std::string describe_bodies(const Case& c, const InitialState* initial) {
-  if (!initial) return fmt::format("{} particles ({})", BodySizes(c.bodies).bodies(), c.bodies.family);
+  if (!initial) return fmt::format("{} particles ({})", sample_size(c).bodies, families_of(c));
   const System<2>& s = initial->system;
   return fmt::format("{} particles of a file", s.topology.body_count(s.state.size()));
 }
@@ -108,7 +135,7 @@ const Matter& body_matter() {
                              .known = keys_of_bodies,
                              .adopt = adopt_bodies,
                              .curves = {{"total", "total"}, {"virial", "virial"}},
-                             .sites = [](const Case& c) { return BodySizes(c.bodies).sites(); },
+                             .sites = [](const Case& c) { return sample_size(c).sites; },
                              .describe = describe_bodies};
   return bodies;
 }

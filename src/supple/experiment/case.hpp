@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "supple/core/field.hpp"
@@ -73,20 +74,30 @@ struct Initial {
   bool keep_time = false;  ///< time goes on from that of the state; else it starts at 0
 };
 
-/// Deformable particles, in units in which the preferred area of a small one and the mass of a vertex are 1.
-struct Bodies {
+/// What a deformable particle is made of.
+struct ParticleKind {
   std::string family = "shell";
   int count = 64, vertices = 20;
+  double shape_parameter = 0;  ///< 0: of the regular polygon
+  double shape_ratio = 0;      ///< over that of the regular polygon; 0: not given
+  double diameter_ratio = 1;
+  double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
+};
+
+/// Deformable particles of one kind and two sizes, in units in which the preferred area of a small one is 1;
+/// and what holds for particles of any kind.
+struct Bodies : ParticleKind {
   std::string vertex_rule = "equal";
   double size_ratio = 1.4, large_fraction = 0.5;
-  double shape_parameter = 0;  ///< A0; 0: that of the regular polygon
-  double shape_ratio = 0,
-         shape_ratio_large = 0;  ///< over that of each particle's regular polygon; 0: not given
-  double diameter_ratio = 1;
+  double shape_ratio_large = 0;  ///< 0: as of small ones
   std::string stiffness = "relative";
-  double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
   int discs = 0;
   double yield_strain = 0, flow_time = 0;
+};
+
+/// One of several kinds in a sample, in place of [bodies].
+struct Species : ParticleKind {
+  double diameter = 1;  ///< of the disc with its preferred area, over that of area 1
 };
 
 struct ContactOfBodies {
@@ -153,6 +164,7 @@ struct Case {
   Stepping time;
   Preparation preparation;
   Bodies bodies;
+  std::vector<Species> species;  ///< empty: those of `bodies`
   ContactOfBodies contact;
   Minimisation minimise;
   Jamming jamming;
@@ -187,6 +199,8 @@ const Fields<Preparation>& fields();
 template <>
 const Fields<Bodies>& fields();
 template <>
+const Fields<Species>& fields();
+template <>
 const Fields<ContactOfBodies>& fields();
 template <>
 const Fields<Minimisation>& fields();
@@ -205,6 +219,16 @@ const Fields<Initial>& fields();
 template <>
 const Fields<Output>& fields();
 
+/// Name of the section [[species]] of this place in keys: "species.1" of the first.
+std::string species_section(std::size_t index);
+/// The section of a key, without its dot: "bodies" of "bodies.N", "species.1" of "species.1.N", "" of "seed".
+inline std::string_view section_of(std::string_view key) {
+  const auto dot = key.rfind('.');
+  return dot == key.npos ? std::string_view() : key.substr(0, dot);
+}
+/// A case with one of every section.
+Case every_section();
+
 /// visit(section, struct) for each section in the order of the file; `general` holds the keys above any
 /// section.
 template <class AnyCase, class Visit>
@@ -217,6 +241,7 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("time", c.time);
   visit("preparation", c.preparation);
   visit("bodies", c.bodies);
+  for (std::size_t k = 0; k < c.species.size(); ++k) visit(species_section(k), c.species[k]);
   visit("contact", c.contact);
   visit("minimise", c.minimise);
   visit("jamming", c.jamming);

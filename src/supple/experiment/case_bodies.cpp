@@ -1,4 +1,6 @@
 /// The sections of a case that describe deformable particles.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,20 +17,71 @@ namespace {
 /// particle has one zero mode more [MacKeith 2025, section 9.2], and no minimisation ends soon.
 double floppy_shape_parameter(int vertices) { return std::max(1.04, 1.01 * least_shape_parameter(vertices)); }
 
-}  // namespace
-
-template <>
-const Fields<Bodies>& fields() {
-  using B = Bodies;
-  static const Fields<B> all{
+/// Those that [bodies] and [[species]] share.
+template <class P>
+Fields<P> fields_of_kind() {
+  return {
       {"family",
-       &B::family,
+       &P::family,
        "",
        "shape energy (Table 9.1), or smooth discs, or rigid polygons",
        any_value,
        {"shell", "floppy", "droplet", "disc", "rough_disc"}},
-      {"N", &B::count, "", "number of particles", {1, 1e6}},
-      {"vertices", &B::vertices, "", "vertices of a small particle", {3, 1e5}},
+      {"N", &P::count, "", "number of particles", {1, 1e6}},
+      {"vertices", &P::vertices, "", "vertices of a small particle", {3, 1e5}},
+      {"A0", &P::shape_parameter, "",
+       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given",
+       not_negative},
+      {"A0_ratio", &P::shape_ratio, "",
+       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0",
+       not_negative},
+      {"diameter_ratio", &P::diameter_ratio, "", "vertex diameter sigma over preferred edge length",
+       positive},
+      {"k_a", &P::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
+      {"k_l", &P::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
+      {"k_b",
+       &P::k_b,
+       "",
+       "stiffness of corners; floppy, droplet: 0 unless given",
+       not_negative,
+       {},
+       Role::number},
+      {"gamma", &P::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
+  };
+}
+
+/// In this order.
+template <class P>
+Fields<P> in_order(const Fields<P>& all, const std::vector<std::string_view>& names) {
+  Fields<P> ordered;
+  for (const std::string_view name : names)
+    for (const Field<P>& f : all)
+      if (f.name == name) ordered.push_back(f);
+  return ordered;
+}
+
+}  // namespace
+
+template <>
+const Fields<Species>& fields() {
+  static const Fields<Species> f = [] {
+    Fields<Species> all = fields_of_kind<Species>();
+    all.insert(all.begin() + 2,
+               {"diameter", &Species::diameter, "",
+                "of the disc with its preferred area, over that of a disc of area 1", positive});
+    for (Field<Species>& field : all) {
+      if (field.name == "vertices") field.meaning = "vertices of a particle";
+      field.role = Role::sample;
+    }
+    return all;
+  }();
+  return f;
+}
+
+template <>
+const Fields<Bodies>& fields() {
+  using B = Bodies;
+  static const Fields<B> more{
       {"vertex_rule",
        &B::vertex_rule,
        "",
@@ -37,16 +90,8 @@ const Fields<Bodies>& fields() {
        {"equal", "scaled"}},
       {"size_ratio", &B::size_ratio, "", "large over small diameter", {1, 100}},
       {"large_fraction", &B::large_fraction, "", "share of large particles", fraction},
-      {"A0", &B::shape_parameter, "",
-       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given",
-       not_negative},
-      {"A0_ratio", &B::shape_ratio, "",
-       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0",
-       not_negative},
       {"A0_ratio_large", &B::shape_ratio_large, "", "A0_ratio of large particles; 0: as of small ones",
        not_negative},
-      {"diameter_ratio", &B::diameter_ratio, "", "vertex diameter sigma over preferred edge length",
-       positive},
       {"stiffness",
        &B::stiffness,
        "",
@@ -54,16 +99,6 @@ const Fields<Bodies>& fields() {
        any_value,
        {"relative", "absolute"},
        Role::number},
-      {"k_a", &B::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
-      {"k_l", &B::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
-      {"k_b",
-       &B::k_b,
-       "",
-       "stiffness of corners; floppy, droplet: 0 unless given",
-       not_negative,
-       {},
-       Role::number},
-      {"gamma", &B::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
       {"discs", &B::discs, "", "smooth discs of the small area, added to the particles", {0, 1e6}},
       {"yield_strain",
        &B::yield_strain,
@@ -80,7 +115,14 @@ const Fields<Bodies>& fields() {
        {},
        Role::law},
   };
-  static const Fields<B> f = with_role(Role::sample, all);
+  static const Fields<B> f = [] {
+    Fields<B> all = fields_of_kind<B>();
+    all.insert(all.end(), more.begin(), more.end());
+    all = in_order(all, {"family", "N", "vertices", "vertex_rule", "size_ratio", "large_fraction", "A0",
+                         "A0_ratio", "A0_ratio_large", "diameter_ratio", "stiffness", "k_a", "k_l", "k_b",
+                         "gamma", "discs", "yield_strain", "flow_time"});
+    return with_role(Role::sample, all);
+  }();
   return f;
 }
 
@@ -259,23 +301,39 @@ const Fields<Motion>& fields() {
   return f;
 }
 
+std::string species_section(std::size_t index) { return fmt::format("species.{}", index + 1); }
+
+Case every_section() {
+  Case c;
+  c.species.resize(1);
+  return c;
+}
+
+namespace {
+
+void complete_family(const Case& c, const std::string& section, ParticleKind& p) {
+  const auto unless_given = [&](const char* key, double& value, double of_family) {
+    if (!c.is_given(fmt::format("{}.{}", section, key))) value = of_family;
+  };
+  if (p.family == "floppy") {
+    unless_given("k_b", p.k_b, 0);
+    if (p.shape_parameter == 0 && p.shape_ratio == 0)
+      unless_given("A0", p.shape_parameter, floppy_shape_parameter(p.vertices));
+  }
+  if (p.family == "droplet") {
+    unless_given("k_b", p.k_b, 0);
+    unless_given("k_l", p.k_l, 0.1);
+    unless_given("gamma", p.gamma, 0.2);
+  }
+}
+
+}  // namespace
+
 void resolve_family(Case& c) {
   if (const Matter& matter = *experiment_of(c).matter; !c.is_given("physics") && asked_matter(c) != &matter)
     c.general.physics = matter.physics;
-  Bodies& b = c.bodies;
-  const auto unless_given = [&](const char* key, double& value, double of_family) {
-    if (!c.is_given(std::string("bodies.") + key)) value = of_family;
-  };
-  if (b.family == "floppy") {
-    unless_given("k_b", b.k_b, 0);
-    if (b.shape_parameter == 0 && b.shape_ratio == 0)
-      unless_given("A0", b.shape_parameter, floppy_shape_parameter(b.vertices));
-  }
-  if (b.family == "droplet") {
-    unless_given("k_b", b.k_b, 0);
-    unless_given("k_l", b.k_l, 0.1);
-    unless_given("gamma", b.gamma, 0.2);
-  }
+  complete_family(c, "bodies", c.bodies);
+  for (std::size_t k = 0; k < c.species.size(); ++k) complete_family(c, species_section(k), c.species[k]);
 }
 
 }  // namespace supple

@@ -71,9 +71,7 @@ HeldKeys held_keys(const Case& c) {
   const std::vector<std::string> read = sections_of(c);
   HeldKeys keys;
   for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
-    const auto dot = key.find('.');
-    const std::string of = dot == key.npos ? "" : key.substr(0, dot);
-    if (is_held(field.role) && std::find(read.begin(), read.end(), of) != read.end())
+    if (is_held(field.role) && std::find(read.begin(), read.end(), section_of(key)) != read.end())
       keys[key] = value_of(field, section);
   });
   return keys;

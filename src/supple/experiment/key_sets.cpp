@@ -15,7 +15,7 @@ UsedKeys every() {
 UsedKeys disc_keys() { return with(every(), {"material.*", "particles.*", "box.*", "preparation.*"}); }
 
 UsedKeys body_keys() {
-  return with(every(), {"bodies.*", "-bodies.yield_strain", "-bodies.flow_time", "contact.kind",
+  return with(every(), {"bodies.*", "species.*", "-bodies.yield_strain", "-bodies.flow_time", "contact.kind",
                         "contact.law", "contact.attraction_range", "contact.k_c", "contact.unsound",
                         "initial.state", "initial.packing", "output.plot"});
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/key_sets.hpp"
 
@@ -19,8 +20,6 @@ bool has_central_share(const Case& c) {
   const std::string& law = c.material.elastic_law;
   return law == "divergent" || law == "plateau" || law == "expression";
 }
-bool has_polygons(const Case& c) { return c.bodies.family != "disc"; }
-bool is_soft(const Case& c) { return has_polygons(c) && c.bodies.family != "rough_disc"; }
 
 const std::vector<Need>& needs() {
   using enum Need::Of;
@@ -57,12 +56,12 @@ const std::vector<Need>& needs() {
       {"box.plates", value, [](const Case& c) { return c.box.boundary != "periodic"; },
        "box.boundary = \"lees_edwards\" or \"fixed\""},
       {"bodies.A0 bodies.A0_ratio bodies.A0_ratio_large bodies.k_a bodies.k_l bodies.k_b bodies.gamma", value,
-       [](const Case& c) { return starts_from_file(c) || is_soft(c); }, "a family of deformable particles"},
+       [](const Case& c) { return starts_from_file(c) || has_soft(c); }, "a family of deformable particles"},
       {"bodies.vertices bodies.vertex_rule bodies.diameter_ratio bodies.discs", value,
        [](const Case& c) { return starts_from_file(c) || has_polygons(c); }, "a family of polygons"},
       {"bodies.yield_strain", value, [](const Case& c) { return c.bodies.flow_time > 0; },
        "bodies.flow_time"},
-      {"bodies.A0_ratio_large", value, [](const Case& c) { return !is_soft(c) || c.bodies.shape_ratio > 0; },
+      {"bodies.A0_ratio_large", value, [](const Case& c) { return !has_soft(c) || c.bodies.shape_ratio > 0; },
        "bodies.A0_ratio, that of the small ones"},
       {"time.step_factor", value, [](const Case& c) { return c.time.time_step == 0; },
        "time.step = 0: it multiplies the step that is chosen"},
@@ -127,7 +126,7 @@ std::string described(const Case& c) {
 
 /// A key of the same name in another section that the experiment uses, or else who uses the key.
 std::string advice(const Case& c, std::string_view key) {
-  const std::string_view name = key.substr(key.find('.') + 1);
+  const std::string_view name = key.substr(key.rfind('.') + 1);
   std::vector<std::string> here;
   for_each_key(c, [&](const std::string& other, const auto& field, const auto&) {
     if (field.name == name && other != key && uses(c, other)) here.push_back(other);
@@ -149,7 +148,7 @@ UsedKeys with(UsedKeys common, const UsedKeys& more) {
 std::vector<std::string> sections_of(const Case& c) {
   std::vector<std::string> sections;
   for_each_key(c, [&](const std::string& key, const auto&, const auto&) {
-    const std::string section = key.find('.') == key.npos ? "" : key.substr(0, key.find('.'));
+    const std::string section(section_of(key));
     if ((sections.empty() || sections.back() != section) && uses(c, key)) sections.push_back(section);
   });
   return sections;

@@ -14,10 +14,9 @@ std::string as_case(const JsonNode& keys) {
   for (const std::string& key : keys.keys()) {
     const JsonNode value = keys.at(key);
     if (!value.json().is_primitive() || value.json().is_null()) throw value.fault("is no value of a key");
-    const auto dot = key.find('.');
-    const std::string section = dot == key.npos ? "" : key.substr(0, dot);
-    sections[section] +=
-        Json(dot == key.npos ? key : key.substr(dot + 1)).dump() + " = " + value.json().dump() + "\n";
+    const std::string section(section_of(key));
+    sections[section] += Json(section.empty() ? key : key.substr(section.size() + 1)).dump() + " = " +
+                         value.json().dump() + "\n";
   }
   std::string text;
   for (const auto& [section, lines] : sections)

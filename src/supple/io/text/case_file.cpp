@@ -22,10 +22,12 @@ std::string full_key(std::string_view section, std::string_view key) {
   return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key);
 }
 
-std::vector<std::string> section_names() {
-  std::vector<std::string> names;
-  Case c;
-  for_each_section(c, [&](std::string_view section, auto&) {
+constexpr std::string_view species = "species";
+
+/// Sections of the case, and what is a list of them.
+std::vector<std::string> section_names(const Case& c) {
+  std::vector<std::string> names{std::string(species)};
+  for_each_section(c, [&](std::string_view section, const auto&) {
     if (!section.empty()) names.emplace_back(section);
   });
   return names;
@@ -39,9 +41,8 @@ void for_each_field(Case& c, Visit&& visit) {
   });
 }
 
-std::vector<std::string> key_names(std::string_view section) {
+std::vector<std::string> key_names(Case c, std::string_view section) {
   std::vector<std::string> names;
-  Case c;
   for_each_field(c, [&](std::string_view s, const auto& field, auto&) {
     if (s == section) names.emplace_back(field.name);
   });
@@ -77,9 +78,11 @@ class Reader {
   Reader(Case& c, std::string origin, Kind kind) : case_(c), origin_(std::move(origin)), kind_(kind) {}
 
   void read(const toml::table& root) {
-    const std::vector<std::string> sections = section_names();
+    const std::vector<std::string> sections = section_names(case_);
     for (auto&& [key, node] : root) {
-      if (std::find(sections.begin(), sections.end(), key.str()) == sections.end()) read_key("", key, node);
+      if (key.str() == species) read_species(node);
+      else if (std::find(sections.begin(), sections.end(), key.str()) == sections.end())
+        read_key("", key, node);
       else if (const toml::table* section = node.as_table())
         for (auto&& [name, value] : *section) read_key(key.str(), name, value);
       else
@@ -108,6 +111,17 @@ class Reader {
   }
 
  private:
+  void read_species(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list || !list->is_homogeneous(toml::node_type::table) || list->empty())
+      return report(node.source(), "species is a list of sections",
+                    "a sample may have several kinds of particles",
+                    "write [[species]] on a line of its own and its keys below");
+    case_.species.resize(list->size());
+    for (std::size_t k = 0; k < list->size(); ++k)
+      for (auto&& [name, value] : *list->get_as<toml::table>(k)) read_key(species_section(k), name, value);
+  }
+
   struct Problem {
     toml::source_index line, column;
     std::string text;
@@ -129,10 +143,10 @@ class Reader {
   }
 
   void unknown_section(const toml::key& key, const toml::table& table) {
-    const auto near = nearest_name(key.str(), section_names());
+    const auto near = nearest_name(key.str(), section_names(case_));
     report(table.source(), fmt::format("unknown section [{}]", key.str()), "",
            near ? fmt::format("did you mean [{}]?", *near)
-                : "the sections are " + join_names(section_names(), ""));
+                : "the sections are " + join_names(section_names(case_), ""));
   }
 
   void unknown_key(std::string_view section, const toml::key& key) {
@@ -145,13 +159,13 @@ class Reader {
       elsewhere.emplace_back(field.name);
       if (field.name == key.str()) home = s.empty() ? "above any section" : fmt::format("in [{}]", s);
     });
-    const auto near = nearest_name(key.str(), key_names(section));
+    const auto near = nearest_name(key.str(), key_names(case_, section));
     const auto far = nearest_name(key.str(), elsewhere);
     std::string hint;
     if (!home.empty()) hint = fmt::format("'{}' belongs {}", key.str(), home);
     else if (near) hint = fmt::format("did you mean '{}'?", *near);
     else if (far) hint = fmt::format("did you mean '{}'?", home_of(*far));
-    else hint = "the keys here are " + join_names(key_names(section), "");
+    else hint = "the keys here are " + join_names(key_names(case_, section), "");
     report(key.source(), what, "", hint);
   }
 
@@ -265,9 +279,8 @@ class Reader {
   std::vector<Problem> problems_;
 };
 
-bool is_text_key(std::string_view section, std::string_view key) {
+bool is_text_key(Case c, std::string_view section, std::string_view key) {
   bool text = false;
-  Case c;
   for_each_field(c, [&](std::string_view s, const auto& field, auto& parameters) {
     using P = std::decay_t<decltype(parameters)>;
     if (s == section && field.name == key) text = std::holds_alternative<std::string P::*>(field.member);
@@ -276,14 +289,15 @@ bool is_text_key(std::string_view section, std::string_view key) {
 }
 
 /// The text right of "=" as one key of a table: TOML, or else a bare string.
-toml::table override_value(std::string_view section, std::string_view key, std::string_view text) {
+toml::table override_value(const Case& c, std::string_view section, std::string_view key,
+                           std::string_view text) {
   toml::table value;
   try {
     value = toml::parse(std::string_view(fmt::format("value = {}", text)));
   } catch (const toml::parse_error&) {
     value.clear();
   }
-  const bool bare = value.size() != 1 || (is_text_key(section, key) && !value["value"].is_string());
+  const bool bare = value.size() != 1 || (is_text_key(c, section, key) && !value["value"].is_string());
   if (bare) value.insert_or_assign("value", std::string(text));
 
   toml::table keys;
@@ -302,11 +316,10 @@ void apply_override(Case& c, const std::string& text) {
   std::string_view name = std::string_view(text).substr(0, equals);
   while (name.starts_with(' ')) name.remove_prefix(1);
   while (name.ends_with(' ')) name.remove_suffix(1);
-  const auto dot = name.find('.');
-  const std::string_view section = dot == name.npos ? "" : name.substr(0, dot);
-  const std::string_view key = dot == name.npos ? name : name.substr(dot + 1);
+  const std::string_view section = section_of(name);
+  const std::string_view key = section.empty() ? name : name.substr(section.size() + 1);
   Reader reader(c, "--set " + text, Reader::Kind::override_);
-  reader.read(override_value(section, key, std::string_view(text).substr(equals + 1)));
+  reader.read(override_value(c, section, key, std::string_view(text).substr(equals + 1)));
   reader.finish();
 }
 

@@ -71,6 +71,15 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+/// "[bodies]", "[[species]]"; empty above any section.
+std::string title_of(std::string_view section) {
+  if (section.empty()) return "";
+  return section.starts_with("species") ? "[[species]]" : fmt::format("[{}]", section);
+}
+std::string heading(std::string_view section) {
+  return section.empty() ? "" : fmt::format("\n{}\n", title_of(section));
+}
+
 /// Where comments begin, behind nearly every key and its value.
 constexpr std::size_t comment_column = 31, comment_width = page_width - comment_column - 2;
 
@@ -86,7 +95,7 @@ std::string write_case(const Case& c, CaseStyle style) {
   const std::vector<std::string> read = sections_of(c);
   for_each_section(c, [&](std::string_view section, const auto& parameters) {
     if (style != CaseStyle::all && std::find(read.begin(), read.end(), section) == read.end()) return;
-    if (!section.empty()) out += fmt::format("\n[{}]\n", section);
+    out += heading(section);
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>()) {
       const std::string value =
           std::visit([&](auto member) { return toml_value(parameters.*member); }, field.member);
@@ -114,10 +123,10 @@ std::string write_case(const Case& c, CaseStyle style) {
 }
 
 std::string describe_parameters() {
-  const Case defaults;
+  const Case defaults = every_section();
   std::string out;
   for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
-    out += section.empty() ? "### Above any section\n" : fmt::format("\n### [{}]\n", section);
+    out += section.empty() ? "### Above any section\n" : fmt::format("\n### {}\n", title_of(section));
     out += "\n| key | default | unit | valid | meaning | used by |\n|---|---|---|---|---|---|\n";
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
       out +=
