@@ -116,8 +116,8 @@ void run_body_shear(const Case& c, const InitialState* initial, Recorder& record
   packing.system.time = 0;
   packing.system.step = 0;
   ShearedBodies bodies(c, initial, packing, recorder);
-  bodies.move("oscillatory shear", p.steps(), p.time_step(), damping,
-              std::max(c.output.images, c.output.frames), [&](std::int64_t i) { return p.rates(i); });
+  bodies.move({"oscillatory shear", p.steps(), p.steps() + 1, std::max(c.output.images, c.output.frames),
+               p.time_step(), damping, [&](std::int64_t step, double) { return p.rates(step); }});
   record_moduli(bodies.table(), bodies.lost(), p, packing, recorder);
   bodies.finish();
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},

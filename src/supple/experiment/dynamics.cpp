@@ -5,14 +5,10 @@
 #include "supple/core/error.hpp"
 #include "supple/core/expression.hpp"
 #include "supple/core/whole_number.hpp"
-#include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
-#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/key_sets.hpp"
-#include "supple/experiment/microgel.hpp"
-#include "supple/experiment/stress_table.hpp"
-#include "supple/experiment/suspension.hpp"
+#include "supple/experiment/sheared_suspension.hpp"
 
 namespace supple {
 
@@ -69,36 +65,12 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
 
   recorder.begin(make_run_info(s.system, s.units));
   record_constants(s, initial, derive_dynamics(c, initial), recorder);
-  StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
-  std::optional<EnergyTable> energies;
-  if (c.output.energies && s.stepper->has_energies())
-    energies.emplace(recorder, *s.stepper, s.system, s.units, c, initial);
-  FrameSchedule frames(steps, c.is_given("output.frames") ? c.output.frames : steps + 1);
-  std::int64_t stopped_after = 0;
-  for (std::int64_t i = 0; i < steps && stopped_after == 0; ++i) {
-    const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time + 0.5 * s.time_step)};
-    const bool keeps_frame = frames.due(i);
-    const Evaluation<2>& evaluation =
-        keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
-    table.append(s.system, evaluation, rates.now);
-    if (energies) energies->append(s.system, evaluation);
-    if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
-    s.stepper->advance(s.system, rates, s.time_step, s.damping);
-    if (i % 256 == 0) recorder.progress("dynamics", i, steps);
-    if (recorder.stop_requested()) stopped_after = i + 1;
-  }
-  recorder.progress("dynamics", steps, steps);
-  const ShearRates rates{rate_at(s.system.time), rate_at(s.system.time)};
-  const Evaluation<2>& last = s.stepper->evaluate_energies(s.system, rates);
-  if (stopped_after == 0) {
-    table.append(s.system, last, rates.now);
-    if (energies) energies->append(s.system, last);
-    recorder.frame(frame_of(s, last, rates));
-  }
-  if (energies) energies->finish();
-  table.finish(s.system, last);
-  if (stopped_after > 0)
-    throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(stopped_after));
+  ShearedSuspension sheared(c, initial, s, recorder);
+  sheared.move({"dynamics", steps, steps + 1, c.is_given("output.frames") ? c.output.frames : steps + 1,
+                s.time_step, s.damping, [&](std::int64_t step, double t) {
+                  return ShearRates{rate_at(t), rate_at(step < steps ? t + 0.5 * s.time_step : t)};
+                }});
+  sheared.finish({rate_at(s.system.time), rate_at(s.system.time)});
 }
 
 void check_protocol(const Case& c, Problems& problems) {

@@ -6,15 +6,12 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/whole_number.hpp"
-#include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame.hpp"
-#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/microgel.hpp"
 #include "supple/experiment/moduli.hpp"
-#include "supple/experiment/shear_protocol.hpp"
-#include "supple/experiment/suspension.hpp"
+#include "supple/experiment/sheared_suspension.hpp"
 
 namespace supple {
 
@@ -44,32 +41,11 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
   s.damping = protocol.damping;
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
-  StressTable table(recorder, s.units, c.output.tensors, s.system, initial);
-  std::optional<EnergyTable> energies;
-  if (c.output.energies && s.stepper->has_energies())
-    energies.emplace(recorder, *s.stepper, s.system, s.units, c, initial);
-  FrameSchedule frames(protocol.rows - 1, std::max(c.output.images, c.output.frames));
-  for (std::int64_t i = 0; i < protocol.rows; ++i) {
-    const ShearRates rates = protocol.rates(i, s.system.time);
-    const bool keeps_frame = frames.due(i);
-    const Evaluation<2>& evaluation =
-        keeps_frame ? s.stepper->evaluate_energies(s.system, rates) : s.stepper->evaluate(s.system, rates);
-    table.append(s.system, evaluation, rates.now);
-    if (energies) energies->append(s.system, evaluation);
-    if (keeps_frame) recorder.frame(frame_of(s, evaluation, rates));
-    if (recorder.stop_requested()) {
-      if (energies) energies->finish();
-      table.finish(s.system, evaluation);
-      throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));
-    }
-    if (i < protocol.steps) s.stepper->advance(s.system, rates, s.time_step, s.damping);
-    if (i % 256 == 0) recorder.progress("oscillatory shear", i, protocol.steps);
-  }
-  recorder.progress("oscillatory shear", protocol.steps, protocol.steps);
-  const Evaluation<2>& last = s.stepper->evaluate(s.system, {});
-  if (energies) energies->finish();
-  table.finish(s.system, last);
-  record_moduli(table, protocol.windows, protocol.demodulator, gap_of(s.system, s.units), recorder);
+  ShearedSuspension sheared(c, initial, s, recorder);
+  sheared.move({"oscillatory shear", protocol.steps, protocol.rows,
+                std::max(c.output.images, c.output.frames), s.time_step, s.damping, protocol.rates});
+  const Evaluation<2>& last = sheared.finish({});
+  record_moduli(sheared.table(), protocol.windows, protocol.demodulator, gap_of(s.system, s.units), recorder);
   record_counts(s.system, last, recorder);
   recorder.value("results", {"cpu_time", "s", "processor time of the run"},
                  static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);

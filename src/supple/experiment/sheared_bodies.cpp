@@ -4,7 +4,6 @@
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/body_rheology.hpp"
-#include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/sound_states.hpp"
 
 namespace supple {
@@ -32,7 +31,6 @@ void refuse_rigid(const Packing& packing) {
                       "choose another family, or discs (bodies.family = \"disc\")");
 }
 
-/// Links the particles, if the case asks for it and they are not linked yet.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
   if (c.particles.permanent_links && packing.system.links.empty())
     recorder.value("results", {"clusters", "", "clusters of particles that links hold together"},
@@ -48,31 +46,22 @@ ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing
       table_(packing, c.output.tensors, recorder),
       energies_(recorder, dynamics_, packing.system, reduced_units(), c, initial) {}
 
-void ShearedBodies::move(const char* phase, std::int64_t steps, double dt, double damping, int frames,
-                         const std::function<ShearRates(std::int64_t)>& rates_at) {
-  System<2>& s = packing_.system;
-  FrameSchedule schedule(steps, frames);
+void ShearedBodies::move(const Course& course) {
   LastGood good(packing_);
   try {
-    for (std::int64_t i = 0; i <= steps; ++i) {
-      const ShearRates rates = rates_at(i);
-      const bool keeps_frame = schedule.due(i);
-      if (keeps_frame || i % look_interval(steps) == 0) good.look();
-      const Evaluation<2>& now = dynamics_.evaluate_energies(s, rates);
-      table_.append(now, rates.now);
-      energies_.append(s, now);
-      if (keeps_frame) recorder_.frame(sheared_frame(packing_, dynamics_, rates.now));
-      if (recorder_.stop_requested())
-        throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(i));
-      if (i < steps) dynamics_.advance(s, rates, dt, damping);
-      if (i % 256 == 0) recorder_.progress(phase, i, steps);
-    }
+    const auto see = [&](const Instant& now) {
+      if (now.keeps_frame || now.row % look_interval(course.steps) == 0) good.look();
+      table_.append(now.evaluation, now.rates.now);
+      energies_.append(packing_.system, now.evaluation);
+      if (now.keeps_frame) recorder_.frame(sheared_frame(packing_, dynamics_, now.rates.now));
+    };
+    if (const auto stopped = supple::move(course, packing_.system, dynamics_, recorder_, see))
+      throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(*stopped));
   } catch (const Error&) {
     energies_.finish();
     hand_over(packing_, recorder_);
     throw;
   }
-  recorder_.progress(phase, steps, steps);
 }
 
 void ShearedBodies::finish() {

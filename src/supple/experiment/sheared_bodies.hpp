@@ -1,9 +1,9 @@
 /// What experiments on deformable particles in a sheared cell share.
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "supple/experiment/body_stress_table.hpp"
+#include "supple/experiment/course.hpp"
 #include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/packing_record.hpp"
 #include "supple/solve/disc_dynamics.hpp"
@@ -28,10 +28,8 @@ class ShearedBodies {
   const BodyStressTable& table() const { return table_; }
   const std::vector<double>& lost() const { return energies_.lost(); }
 
-  /// Makes `steps` steps of dt [time], step i at rates_at(i), with `damping` as a factor per step, and keeps
-  /// `frames` frames. Where it has to stop it hands over the last good state and throws.
-  void move(const char* phase, std::int64_t steps, double dt, double damping, int frames,
-            const std::function<ShearRates(std::int64_t)>& rates_at);
+  /// A row of the tables at every row of the course. Hands over the last good state where it stops.
+  void move(const Course& course);
 
   /// Records the results of the account, and the packing at the end.
   void finish();

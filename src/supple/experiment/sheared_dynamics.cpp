@@ -38,12 +38,12 @@ void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& 
   begin_packing(packing, derived_dynamics(c, packing, laws), recorder);
   link_packing(c, packing, recorder);
   ShearedBodies bodies(c, initial, packing, recorder);
-  bodies.move("dynamics", c.time.steps, dt,
-              std::pow(c.shear.cool_factor, dt * c.shear.relative_frequency / laws.tau), c.output.frames,
-              [&](std::int64_t i) {
-                const double t = begin + static_cast<double>(i) * dt;
-                return ShearRates{rate(t), i < c.time.steps ? rate(t + 0.5 * dt) : rate(t)};
-              });
+  bodies.move({"dynamics", c.time.steps, c.time.steps + 1, c.output.frames, dt,
+               std::pow(c.shear.cool_factor, dt * c.shear.relative_frequency / laws.tau),
+               [&](std::int64_t step, double) {
+                 const double t = begin + static_cast<double>(step) * dt;
+                 return ShearRates{rate(t), step < c.time.steps ? rate(t + 0.5 * dt) : rate(t)};
+               }});
   bodies.finish();
 }
 

@@ -1,0 +1,34 @@
+/// A system on its way through a protocol: one loop for all that is sheared.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "supple/experiment/recorder.hpp"
+#include "supple/solve/stepper.hpp"
+
+namespace supple {
+
+struct Course {
+  const char* phase;  ///< for the progress
+  std::int64_t steps,
+      rows;  ///< rows: instants, one before each step, and the one after the last if it is to be seen
+  std::int64_t frames;  ///< evenly spaced over the rows
+  double time_step, damping;
+  std::function<ShearRates(std::int64_t row, double time)> rates;
+};
+
+/// An instant whose forces are known; with energies where a frame is kept.
+struct Instant {
+  std::int64_t row;
+  const Evaluation<2>& evaluation;
+  ShearRates rates;
+  bool keeps_frame;
+};
+
+/// Takes the steps and shows `see` each row before its step. Returns the row at which the recorder asked it
+/// to stop, before the step was taken. Throws what the stepper throws.
+std::optional<std::int64_t> move(const Course& course, System<2>& system, Stepper& stepper,
+                                 Recorder& recorder, const std::function<void(const Instant&)>& see);
+
+}  // namespace supple

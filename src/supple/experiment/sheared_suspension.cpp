@@ -1,0 +1,38 @@
+#include "supple/experiment/sheared_suspension.hpp"
+
+#include <string>
+
+#include "supple/core/error.hpp"
+
+namespace supple {
+
+ShearedSuspension::ShearedSuspension(const Case& c, const InitialState* initial, Suspension& suspension,
+                                     Recorder& recorder)
+    : suspension_(suspension),
+      recorder_(recorder),
+      table_(recorder, suspension.units, c.output.tensors, suspension.system, initial) {
+  if (c.output.energies && suspension.stepper->has_energies())
+    energies_.emplace(recorder, *suspension.stepper, suspension.system, suspension.units, c, initial);
+}
+
+void ShearedSuspension::move(const Course& course) {
+  Suspension& s = suspension_;
+  const auto see = [&](const Instant& now) {
+    table_.append(s.system, now.evaluation, now.rates.now);
+    if (energies_) energies_->append(s.system, now.evaluation);
+    if (now.keeps_frame) recorder_.frame(frame_of(s, now.evaluation, now.rates));
+  };
+  const auto stopped = supple::move(course, s.system, *s.stepper, recorder_, see);
+  if (!stopped) return;
+  finish(course.rates(*stopped, s.system.time));
+  throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(*stopped));
+}
+
+const Evaluation<2>& ShearedSuspension::finish(ShearRates rates) {
+  const Evaluation<2>& last = suspension_.stepper->evaluate_energies(suspension_.system, rates);
+  if (energies_) energies_->finish();
+  table_.finish(suspension_.system, last);
+  return last;
+}
+
+}  // namespace supple
