@@ -25,6 +25,12 @@ for word in "$@"; do case $word in experiment=*) kind=${word#experiment=} ;; esa
 deformable=$(grep -c '^physics = "deformable"' "$2")
 given=$(grep -c '^state = ' "$2")
 bodies="--set bodies.N=9 --set bodies.vertices=8"
+if grep -q '^\[\[species\]\]' "$2"; then
+  bodies=
+  for k in $(seq $(grep -c '^\[\[species\]\]' "$2")); do
+    bodies="$bodies --set species.$k.N=3 --set species.$k.vertices=8"
+  done
+fi
 jam="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3"
 case $kind$deformable$given in
   preparation*) more="--set particles.N=40 --set particles.cut_lines=0" ;;

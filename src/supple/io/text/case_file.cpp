@@ -26,9 +26,10 @@ constexpr std::string_view species = "species";
 
 /// Sections of the case, and what is a list of them.
 std::vector<std::string> section_names(const Case& c) {
-  std::vector<std::string> names{std::string(species)};
+  std::vector<std::string> names;
   for_each_section(c, [&](std::string_view section, const auto&) {
     if (!section.empty()) names.emplace_back(section);
+    if (section == "bodies") names.emplace_back(species);
   });
   return names;
 }
