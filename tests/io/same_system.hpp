@@ -41,6 +41,12 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
   EXPECT_TRUE(same_bits(a.shape.rest_volume, b.shape.rest_volume));
   EXPECT_TRUE(same_bits(a.shape.rest_facet, b.shape.rest_facet));
   EXPECT_TRUE(same_bits(a.shape.rest_hinge, b.shape.rest_hinge));
+  ASSERT_EQ(a.terms.size(), b.terms.size());
+  for (std::size_t k = 0; k < a.terms.size(); ++k) {
+    EXPECT_EQ(a.terms[k].name, b.terms[k].name);
+    EXPECT_EQ(a.terms[k].width, b.terms[k].width);
+    EXPECT_TRUE(same_bits(a.terms[k].number, b.terms[k].number));
+  }
   EXPECT_EQ(a.rigid.body, b.rigid.body);
   EXPECT_TRUE(same_bits(a.rigid.centre, b.rigid.centre));
   EXPECT_TRUE(same_bits(a.rigid.velocity, b.rigid.velocity));

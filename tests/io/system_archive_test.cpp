@@ -34,6 +34,7 @@ System<3> sample_system_3d() {
   system.shape.rest_volume = {1 / 6., 0};
   system.shape.rest_facet = {1 / 2., 1 / 3., 1 / 5., 1 / 7.};
   system.shape.rest_hinge = {1 / 9., -1 / 9.};
+  system.terms = {{"first", 2, {1 / 3., 1 / 7.}}, {"second", 1, {1 / 11., 1 / 13.}}};
   return system;
 }
 
@@ -204,6 +205,10 @@ TEST_F(SystemArchive, DamageIsRefused) {
   for (auto part : {&Shape::rest_volume, &Shape::rest_facet, &Shape::rest_hinge})
     EXPECT_THAT(error_after([&](S& s) { (s.shape.*part).pop_back(); }),
                 HasSubstr("shapes and bodies disagree"));
+  EXPECT_THAT(error_after([](S& s) {
+                s.terms = {{"perimeter", 1, std::vector<double>(1000)}};
+              }),
+              HasSubstr("perimeter and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }),
               HasSubstr("shapes and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge_begin.clear(); }), HasSubstr("no boundary"));

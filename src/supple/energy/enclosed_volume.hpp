@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "supple/core/field.hpp"
+#include "supple/geometry/facet.hpp"
 
 namespace supple {
 
@@ -18,6 +19,11 @@ struct EnclosedVolume {
       std::tuple{Field<Param>{"stiffness", &Param::stiffness, "energy/length^(2 Dim)", "k", not_negative},
                  Field<Param>{"rest", &Param::rest, "length^Dim", "rest volume v0", not_negative}};
 
+  /// Of a facet; the sum over those of a closed boundary is the volume.
+  template <class Facet>
+  static auto measure(const Facet& x) {
+    return facet_volume(x);
+  }
   template <class S>
   static S energy(const S& volume, const Param& p) {
     const S excess = volume - p.rest;

@@ -28,10 +28,11 @@ concept HasGradient = requires(const Points<Term, Dim>& x, const typename Term::
   { Term::gradient(x, p, g) } -> std::convertible_to<double>;
 };
 
-/// A term of a whole body: a pure function energy(v, p) of the area or volume that its boundary encloses.
+/// A term of a whole body: a pure function energy(v, p) of a sum over the facets of its boundary, of
+/// measure(facet): the area or volume that they enclose, their length or area.
 template <class Term>
-concept BodyTerm = requires(double volume, const typename Term::Param& p) {
-  { Term::energy(volume, p) } -> std::convertible_to<double>;
+concept BodyTerm = requires(double sum, const typename Term::Param& p) {
+  { Term::energy(sum, p) } -> std::convertible_to<double>;
 };
 
 /// Returns the energy, and fills g with its gradient with respect to every point, by automatic

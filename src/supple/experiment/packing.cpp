@@ -14,6 +14,7 @@
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/used_keys.hpp"
+#include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/body_flow.hpp"
 #include "supple/model/sanity.hpp"
@@ -44,6 +45,7 @@ std::shared_ptr<ForceField> make_body_field(const Case& c) {
   else contacts = std::make_shared<RoughContacts>(law);
   auto field = std::make_shared<ForceField>(std::move(contacts));
   field->terms().add(std::make_shared<PolygonShape>());
+  field->terms().add(std::make_shared<BodyTermSet<2>>());
   return field;
 }
 

@@ -1,5 +1,4 @@
-/// A term of whole bodies: an energy of the volume that facets enclose, and its forces on the sites of these
-/// facets.
+/// A term of whole bodies: a sum over the facets of each, its energy, and the forces on the facets' sites.
 #pragma once
 #include <fmt/core.h>
 
@@ -8,8 +7,8 @@
 
 namespace supple {
 
-/// Term::energy(volume, param[b]) for each body b of the topology; bodies without facets have none. Throws an
-/// input error where there is not one parameter set for each body.
+/// Term::energy(sum of Term::measure(facet), param[b]) for each body b of the topology; bodies without facets
+/// or stiffness take no part.
 template <class Term, int Dim>
 class BodyBlock final : public TermBlock<Dim> {
  public:
@@ -20,29 +19,29 @@ class BodyBlock final : public TermBlock<Dim> {
 
   double energy(const System<Dim>& system) const override {
     double sum = 0;
-    for_bodies(system, [&](int b) { sum += Term::energy(volume(system, b), params_[b]); });
+    for_bodies(system, [&](int b) { sum += Term::energy(measure(system, b), params_[b]); });
     return sum;
   }
 
   void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) const override {
     for_bodies(system, [&](int b) {
-      Jet<double, 1> v(volume(system, b));
+      Jet<double, 1> v(measure(system, b));
       v.slope[0] = 1;
       const Jet<double, 1> energy = Term::energy(v, params_[b]);
+      const Vec<Dim> origin = system.state.position[system.topology.begin[b]];
       for_slopes(system, b, [&](std::int32_t site, const Vec<Dim>& slope) {
         out.force[site] -= energy.slope[0] * slope;
+        if (detail == Detail::energies)
+          out.virial.add_outer(-energy.slope[0], slope, system.state.position[site] - origin);
       });
-      if (detail == Detail::forces) return;
-      out.energy.terms += energy.value;
-      // A small strain changes the volume by dv = v tr(strain).
-      for (int d = 0; d < Dim; ++d) out.virial[d][d] -= energy.slope[0] * v.value;
+      if (detail == Detail::energies) out.energy.terms += energy.value;
     });
   }
 
   void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const override {
     for_bodies(system, [&](int b) {
       Jet<Jet<double, 1>, 1> v(0.0);
-      v.value.value = volume(system, b);
+      v.value.value = measure(system, b);
       v.value.slope[0] = 1;
       v.slope[0] = 1.0;
       const auto energy = Term::energy(v, params_[b]);
@@ -62,7 +61,7 @@ class BodyBlock final : public TermBlock<Dim> {
                                     t.facet_begin.empty() ? 0 : t.facet_begin.size() - 1, params_.size()),
                         "they do not match", "give one parameter set for each body");
     for (std::size_t b = 0; b < params_.size(); ++b)
-      if (t.facet_begin[b] < t.facet_begin[b + 1]) body(static_cast<int>(b));
+      if (t.facet_begin[b] < t.facet_begin[b + 1] && params_[b].stiffness != 0) body(static_cast<int>(b));
   }
 
   /// Points of facet f relative to the first site of body b, so that a body far from the origin loses no
@@ -76,12 +75,12 @@ class BodyBlock final : public TermBlock<Dim> {
     }
   }
 
-  static double volume(const System<Dim>& system, int b) {
+  static double measure(const System<Dim>& system, int b) {
     double sum = 0;
     for (std::int32_t f = system.topology.facet_begin[b]; f < system.topology.facet_begin[b + 1]; ++f) {
       Vec<Dim> x[Dim];
       gather(system, b, f, x);
-      sum += facet_volume(x);
+      sum += Term::measure(x);
     }
     return sum;
   }
@@ -94,7 +93,7 @@ class BodyBlock final : public TermBlock<Dim> {
       VecOf<J, Dim> x[Dim];
       gather(system, b, f, x);
       for (int k = 0; k < Dim * Dim; ++k) x[k / Dim][k % Dim].slope[k] = 1;
-      const J v = facet_volume(x);
+      const J v = Term::measure(x);
       for (int a = 0; a < Dim; ++a) {
         Vec<Dim> slope;
         for (int d = 0; d < Dim; ++d) slope[d] = v.slope[a * Dim + d];
@@ -128,7 +127,7 @@ class BodyBlock final : public TermBlock<Dim> {
         x[k / Dim][k % Dim].value.slope[k] = 1;
         x[k / Dim][k % Dim].slope[k] = 1.0;
       }
-      const auto v = facet_volume(x);
+      const auto v = Term::measure(x);
       for (int a = 0; a < Dim; ++a)
         for (int c = 0; c < a; ++c) {
           HessianBlock<Dim> block{system.topology.facet[f][a], system.topology.facet[f][c], {}};

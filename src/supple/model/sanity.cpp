@@ -96,6 +96,8 @@ class Judge {
     sizes(shape.rest_volume, "the preferred area of particle");
     positive_sizes(shape.rest_facet, "the preferred length of edge");
     sizes(shape.rest_hinge, "the preferred angle of corner");
+    for (const BodyTermData& term : system_.terms)
+      sizes(term.number, fmt::format("the {} of particles, number", term.name).c_str());
     const RigidBodies& r = system_.rigid;
     positive_sizes(r.mass, "the mass of rigid particle");
     positive_sizes(r.inertia, "the inertia of rigid particle");

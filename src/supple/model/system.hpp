@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "supple/model/body_terms.hpp"
 #include "supple/model/box.hpp"
 #include "supple/model/pair_table.hpp"
 #include "supple/model/rigid_bodies.hpp"
@@ -20,7 +21,8 @@ struct System {
   State<Dim> state;
   Topology<Dim> topology;
   Shape shape;
-  RigidBodies rigid;  ///< empty: every body deforms
+  std::vector<BodyTermData> terms;  ///< what else acts on whole bodies
+  RigidBodies rigid;                ///< empty: every body deforms
   PairTable pairs;
   TouchTable touches;       ///< of bodies of many sites, where contacts remember
   std::vector<Link> links;  ///< between bodies of many sites, ascending by (first, second)

@@ -102,6 +102,22 @@ void write_shape(h5::Group group, const Shape& shape) {
   group.write("rest_hinge", shape.rest_hinge);
 }
 
+void write_body_terms(h5::Group group, const std::vector<BodyTermData>& terms) {
+  for (const BodyTermData& term : terms) group.write(term.name, term.number, {term.bodies(), term.width});
+}
+
+std::vector<BodyTermData> read_body_terms(const h5::Group& group, int bodies) {
+  std::vector<BodyTermData> terms;
+  for (const std::string& name : group.names()) {
+    const h5::Shape shape = group.shape(name);
+    expect_state(
+        shape.size() == 2 && 0 < shape[1] && shape[1] < 100 && shape[0] <= static_cast<std::uint64_t>(bodies),
+        group, name + " and bodies disagree");
+    terms.push_back({name, shape[1], group.read<double>(name)});
+  }
+  return terms;
+}
+
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   Shape shape;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "supple/io/hdf5/hdf5.hpp"
+#include "supple/model/body_terms.hpp"
 #include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
 #include "supple/model/topology.hpp"
@@ -20,7 +21,10 @@ template <int Dim>
 Topology<Dim> read_topology(const h5::Group& group, int sites);
 
 void write_shape(h5::Group group, const Shape& shape);
-/// Throws a file error where the preferred shapes do not fit the topology.
+void write_body_terms(h5::Group group, const std::vector<BodyTermData>& terms);
+/// Throws a file error where there are more rows than bodies.
+std::vector<BodyTermData> read_body_terms(const h5::Group& group, int bodies);
+/// Throws a file error where the preferred shapes do not fit the bodies.
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
 

@@ -129,6 +129,7 @@ void write_packing_json(const StoredPacking& packing, const std::string& path, E
   const System<2>& system = packing.system;
   if (system.shape.empty()) refuse("its bodies have no preferred shapes");
   if (!system.links.empty()) refuse("its particles are crosslinked, and the layout has no links");
+  if (!system.terms.empty()) refuse("the layout has no " + system.terms.front().name + " of particles");
   std::optional<ShapeSpec> spec = common_spec(system, StiffnessKind::relative);
   if (!spec) spec = common_spec(system, StiffnessKind::absolute);
   if (!spec) refuse("its bodies have different stiffnesses");
