@@ -1,6 +1,6 @@
-#include "supple/energy/enclosed_volume.hpp"
 #include "supple/energy/facet_tension.hpp"
 #include "supple/energy/hinge_bend.hpp"
+#include "supple/energy/list.hpp"
 #include "tests/support/term_check.hpp"
 
 namespace supple {
@@ -30,33 +30,37 @@ TEST(HingeBend, HoldsWhatEveryTermMust) {
 }
 
 /// A body term on a closed boundary of few sites, for the harness: a triangle, a tetrahedron.
-template <int Dim>
-struct EnclosedBySimplex {
-  static constexpr std::string_view name = "enclosed_volume";
+template <class Term, int Dim>
+struct OfASimplex {
+  static constexpr std::string_view name = Term::name;
   static constexpr int arity = Dim + 1;
-  using Param = EnclosedVolume::Param;
+  using Param = typename Term::Param;
   template <class S>
   static S energy(const VecOf<S, Dim> (&x)[arity], const Param& p) {
-    S volume(0.0);
+    S sum(0.0);
     const auto add = [&](auto... k) {
       const VecOf<S, Dim> facet[Dim] = {x[k]...};
-      volume += facet_volume(facet);
+      sum += Term::measure(facet);
     };
     if constexpr (Dim == 2) add(0, 1), add(1, 2), add(2, 0);
     else add(0, 2, 1), add(0, 1, 3), add(1, 2, 3), add(2, 0, 3);
-    return EnclosedVolume::energy(volume, p);
+    return Term::energy(sum, p);
   }
 };
 
-template <int Dim>
-void draw_simplex(RandomStream& stream, Vec<Dim> (&x)[Dim + 1], EnclosedVolume::Param& p) {
+template <class Term, int Dim>
+void draw_simplex(RandomStream& stream, Vec<Dim> (&x)[Dim + 1], typename Term::Param& p) {
   testing::draw_points(stream, x);
   p = {stream.uniform(0.5, 3), stream.uniform(0, 1)};
 }
 
-TEST(EnclosedVolume, HoldsWhatEveryTermMust) {
-  testing::check_term<EnclosedBySimplex<2>, 2>(draw_simplex<2>);
-  testing::check_term<EnclosedBySimplex<3>, 3>(draw_simplex<3>);
+TEST(BodyTerms, HoldWhatEveryTermMust) {
+  std::apply(
+      []<class... Term>(Term...) {
+        (testing::check_term<OfASimplex<Term, 2>, 2>(draw_simplex<Term, 2>), ...);
+        (testing::check_term<OfASimplex<Term, 3>, 3>(draw_simplex<Term, 3>), ...);
+      },
+      BodyTerms{});
 }
 
 TEST(HingeAngle, IsZeroWhereFlatAndPositiveWhereConvex) {

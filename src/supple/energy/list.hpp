@@ -6,13 +6,14 @@
 #include "supple/energy/facet_stretch.hpp"
 #include "supple/energy/facet_tension.hpp"
 #include "supple/energy/hinge_bend.hpp"
+#include "supple/energy/perimeter.hpp"
 
 namespace supple {
 
 /// Terms of a few sites (a stencil) each.
 template <int Dim>
 using Terms = std::tuple<FacetStretch<Dim>, FacetTension<Dim>, HingeBend<Dim>>;
-/// Terms of all sites of a body.
-using BodyTerms = std::tuple<EnclosedVolume>;
+/// Terms of a whole body.
+using BodyTerms = std::tuple<EnclosedVolume, Perimeter>;
 
 }  // namespace supple

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/core/random.hpp"
+#include "supple/energy/perimeter.hpp"
 #include "supple/experiment/random_centres.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
@@ -60,6 +62,13 @@ void add_particle(const Case& c, const Species& species, int body, const Vec2& c
   add_polygon(system, centre, area, species.vertices, draw.uniform(0, 2 * pi), species.diameter_ratio,
               shape_spec(c, species));
   if (!is_soft(species)) return make_rigid(system, index);
+  if (species.k_perimeter > 0) {
+    const std::vector<double>& edges = system.shape.rest_facet;
+    const double rest = std::accumulate(edges.end() - species.vertices, edges.end(), 0.0);
+    const double stiffness =
+        c.bodies.stiffness == "relative" ? species.k_perimeter / (rest * rest) : species.k_perimeter;
+    set_body_term(system.terms, Perimeter::name, index, std::array{stiffness, rest});
+  }
   if (!buckles(species)) return;
   for (int i = system.topology.begin[index]; i < system.topology.begin[index + 1]; ++i)
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);

@@ -82,6 +82,7 @@ struct ParticleKind {
   double shape_ratio = 0;      ///< over that of the regular polygon; 0: not given
   double diameter_ratio = 1;
   double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
+  double k_perimeter = 0;
 };
 
 /// Deformable particles of one kind and two sizes, in units in which the preferred area of a small one is 1;

@@ -47,6 +47,8 @@ Fields<P> fields_of_kind() {
        {},
        Role::number},
       {"gamma", &P::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
+      {"k_perimeter", &P::k_perimeter, "", "stiffness of the whole perimeter, beside that of its edges",
+       not_negative},
   };
 }
 
@@ -120,7 +122,7 @@ const Fields<Bodies>& fields() {
     all.insert(all.end(), more.begin(), more.end());
     all = in_order(all, {"family", "N", "vertices", "vertex_rule", "size_ratio", "large_fraction", "A0",
                          "A0_ratio", "A0_ratio_large", "diameter_ratio", "stiffness", "k_a", "k_l", "k_b",
-                         "gamma", "discs", "yield_strain", "flow_time"});
+                         "gamma", "k_perimeter", "discs", "yield_strain", "flow_time"});
     return with_role(Role::sample, all);
   }();
   return f;

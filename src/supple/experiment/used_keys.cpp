@@ -55,8 +55,10 @@ const std::vector<Need>& needs() {
        "contact.law = \"adhesive\""},
       {"box.plates", value, [](const Case& c) { return c.box.boundary != "periodic"; },
        "box.boundary = \"lees_edwards\" or \"fixed\""},
-      {"bodies.A0 bodies.A0_ratio bodies.A0_ratio_large bodies.k_a bodies.k_l bodies.k_b bodies.gamma", value,
-       [](const Case& c) { return starts_from_file(c) || has_soft(c); }, "a family of deformable particles"},
+      {"bodies.A0 bodies.A0_ratio bodies.A0_ratio_large bodies.k_a bodies.k_l bodies.k_b bodies.gamma "
+       "bodies.k_perimeter",
+       value, [](const Case& c) { return starts_from_file(c) || has_soft(c); },
+       "a family of deformable particles"},
       {"bodies.vertices bodies.vertex_rule bodies.diameter_ratio bodies.discs", value,
        [](const Case& c) { return starts_from_file(c) || has_polygons(c); }, "a family of polygons"},
       {"bodies.yield_strain", value, [](const Case& c) { return c.bodies.flow_time > 0; },
