@@ -10,45 +10,13 @@
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
 #include "supple/core/path_kind.hpp"
+#include "supple/io/text/case_names.hpp"
 #include "supple/io/text/quantity.hpp"
 #include "supple/io/text/toml_mistake.hpp"
 
 namespace supple {
 
 namespace {
-
-/// "material.friction", or "seed" for the keys above any section.
-std::string full_key(std::string_view section, std::string_view key) {
-  return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key);
-}
-
-constexpr std::string_view species = "species";
-
-/// Sections of the case, and what is a list of them.
-std::vector<std::string> section_names(const Case& c) {
-  std::vector<std::string> names;
-  for_each_section(c, [&](std::string_view section, const auto&) {
-    if (!section.empty()) names.emplace_back(section);
-    if (section == "bodies") names.emplace_back(species);
-  });
-  return names;
-}
-
-/// visit(section, field, struct) for every parameter of the case.
-template <class Visit>
-void for_each_field(Case& c, Visit&& visit) {
-  for_each_section(c, [&](std::string_view section, auto& parameters) {
-    for (const auto& field : fields<std::decay_t<decltype(parameters)>>()) visit(section, field, parameters);
-  });
-}
-
-std::vector<std::string> key_names(Case c, std::string_view section) {
-  std::vector<std::string> names;
-  for_each_field(c, [&](std::string_view s, const auto& field, auto&) {
-    if (s == section) names.emplace_back(field.name);
-  });
-  return names;
-}
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
