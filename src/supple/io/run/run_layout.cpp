@@ -114,6 +114,7 @@ RunInfo read_info(const h5::Group& root) {
 Case read_stored_case(const h5::Group& root) {
   Case c;
   const h5::Object dataset = root.open_dataset("case");
+  while (dataset.has_attribute(species_section(c.species.size()) + ".family")) c.species.emplace_back();
   for_each_section(c, [&](const std::string& section, auto& values) {
     using Section = std::decay_t<decltype(values)>;
     for (const Field<Section>& field : fields<Section>()) {
