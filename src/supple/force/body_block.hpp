@@ -129,7 +129,7 @@ class BodyBlock final : public TermBlock<Dim> {
       }
       const auto v = Term::measure(x);
       for (int a = 0; a < Dim; ++a)
-        for (int c = 0; c < a; ++c) {
+        for (int c = 0; c <= a; ++c) {
           HessianBlock<Dim> block{system.topology.facet[f][a], system.topology.facet[f][c], {}};
           for (int d = 0; d < Dim; ++d)
             for (int e = 0; e < Dim; ++e) block.h[d][e] = slope * v.slope[a * Dim + d].slope[c * Dim + e];
