@@ -49,11 +49,11 @@ struct Experiment {
   bool keeps_step = false;     ///< goes on with the time step of the state that it starts from
 };
 
-/// All of them (registry.cpp, which alone knows what is outside this folder).
+/// All experiments (registry.cpp, which alone knows those outside of this folder).
 const std::vector<Experiment>& experiments();
 /// The names of the experiments, each once.
 std::vector<std::string> experiment_names();
-/// Values of the key `physics`.
+/// The values that the key `physics` may have.
 std::vector<std::string> physics_names();
 /// The experiment of this name on these particles; null where there is none.
 const Experiment* find_experiment(std::string_view name, const Matter& matter);

@@ -30,7 +30,7 @@ struct Matter {
   HeldKeys (*known)(const InitialState&);
   /// Takes over what a state knows other than by keys.
   void (*adopt)(Case&, const InitialState&);
-  /// Which shear stresses a figure shows, where the run has them: names as in the columns, and of the legend.
+  /// The shear stresses that a figure shows, if the run has them: name of the column, and name in the legend.
   std::vector<std::pair<std::string_view, std::string_view>> curves = {};
   /// Discs and vertices that a case makes.
   std::int64_t (*sites)(const Case&);
@@ -40,7 +40,7 @@ struct Matter {
 
 const Matter& disc_matter();
 const Matter& body_matter();
-/// All that experiments are about.
+/// All kinds of particles that experiments are about.
 std::vector<const Matter*> every_matter();
 
 /// The kind that the case asks for by `physics` or initial.packing; null where it does not say.

@@ -23,7 +23,7 @@ OscillatoryProtocol oscillatory_protocol(const Case& c, const InitialState* init
 /// The spans of rest and shear in periods, as demodulate() needs them.
 Protocol windows_of(const OscillatoryProtocol& p);
 
-/// What suspensions are sheared by: rates at the beginning of each step, and windows of the demodulation.
+/// How a suspension is sheared: the rates of each step, and the spans and the way of the demodulation.
 struct ShearProtocol {
   Protocol windows;
   Demodulator demodulator;
@@ -36,7 +36,7 @@ struct ShearProtocol {
 /// What a run records of them, and its figure reads.
 std::vector<Derived> derived_protocol(const Protocol& p, const std::string& frequency_unit);
 
-/// Too few periods for moduli; and for errors of moduli that are fitted.
+/// Warns of too few periods for moduli, and for errors of moduli that are fitted.
 void doubt_periods(const Case& c, Doubts& doubts);
 
 }  // namespace supple

@@ -22,24 +22,24 @@ struct Suspension {
   MaterialConstants material;
 };
 
-/// Discs of a model: as documented, or as another program computes them. Experiments on suspensions ask it
-/// for what differs.
+/// A model of discs: the documented one, or that of another program. Experiments on suspensions ask it for
+/// all that differs between models.
 struct SuspensionModel {
-  /// What a run records of its laws and scales.
+  /// The numbers of laws and scales that a run records.
   std::vector<Derived> (*constants)(const Case&, const InitialState*);
   double (*time_step)(const Case&, const InitialState*);  ///< of `dynamics` [s]
   ShearProtocol (*protocol)(const Case&, const InitialState*);
-  /// What follows besides from a protocol.
+  /// Numbers that follow from the protocol.
   std::vector<Derived> (*consequences)(const Case&, const InitialState*, const ShearProtocol&);
   Suspension (*make)(const Case&, const InitialState*, Recorder&);
 };
-/// As documented (docs/theory.md).
+/// The documented model (docs/theory/microgel.md).
 const SuspensionModel& documented_model();
-/// That of the case's particles.
+/// The model of the particles of the case.
 const SuspensionModel& suspension_model(const Case& c);
 
-/// The particles of a state: contacts remember so many numbers; boundary and plates are those of the case,
-/// which has adopted the state's.
+/// Takes over the particles of a state, with `history_width` numbers of contact memory in a row. Boundary and
+/// plates are those of the case, which has adopted those of the state.
 void take_state(Suspension& s, const Case& c, const InitialState& initial, int history_width);
 
 /// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed,

@@ -35,13 +35,13 @@ struct Demodulation {
   int cycles = 0;                               ///< whole cycles that were measured
 };
 
-/// An instant of a series.
+/// A stress at an instant of a series.
 struct StressSample {
   double time, stress;
 };
 
-/// What becomes of a series that was checked. Sets all but the values of the moduli, which follow from the
-/// amplitudes.
+/// A way to demodulate a series that was checked. It sets all but the values of the moduli, which follow from
+/// the amplitudes.
 using Demodulator = Demodulation (*)(std::vector<StressSample>, const Protocol&);
 
 /// Fits offset, ramp and harmonics together by least squares over these cycles, samples weighted by

@@ -8,17 +8,17 @@
 
 namespace supple {
 
-/// Holds nothing between calls but memory that is used again.
+/// Keeps nothing from call to call but memory that is used again.
 class ParticleShearContacts {
  public:
   /// Adds forces and torques of all contacts to `out` and fills its pair rows, trial states and trial history
   /// (two elongations a row). The box must be periodic in both directions.
   void evaluate(const System<2>& system, const ParticleShearConstants& constants, Evaluation<2>& out);
 
-  /// Takes over the trial states and adds v_t dt to the elongations of contacts that stick or are linked.
-  /// Called between the change of velocities and that of positions: the package moves one disc after the
-  /// other and lets each visit its contacts before it moves, so `first` sees both discs where they were,
-  /// `second` sees `first` where it will be.
+  /// Takes over the trial states and adds v_t dt to the elongations of contacts that stick or are linked. To
+  /// be called after velocities have changed and before positions do. The package moves one disc after the
+  /// other, and each visits its contacts before it moves: `first` sees both discs where they were, `second`
+  /// sees `first` where it will be.
   void elongate(System<2>& system, const Evaluation<2>& evaluation, double dt);
 
  private:

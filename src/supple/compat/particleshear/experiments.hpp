@@ -1,4 +1,4 @@
-/// The experiments on discs as the published package particleShear 1.0.2 computes them: rows of the registry.
+/// Rows of the registry: the experiments on discs as the published package particleShear 1.0.2 computes them.
 #pragma once
 #include "supple/experiment/experiments.hpp"
 

@@ -1,5 +1,5 @@
-/// Contact laws of the published package particleShear 1.0.2, quirk by quirk. Every force is per metre of
-/// depth; the functions are branch-free, so that a loop over contacts vectorises.
+/// Contact laws of the published package particleShear 1.0.2, quirk by quirk. Forces are per metre of depth.
+/// The functions have no branches, so that a loop over contacts becomes vector instructions.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,14 @@
 
 namespace supple {
 
-/// How a compressed contact repels: with the exact distance, or with one mapped through a plateau.
+/// How a compressed contact repels: by the divergent law at its distance, or at a distance mapped through a
+/// plateau.
 enum class ParticleShearElastic { divergent, plateau };
 /// How a stretched link pulls.
 enum class ParticleShearTensile { linear, saturating };
 
-/// Constants of all contacts. Free contacts use k, nu, k_t, nu_t; permanent links multiply them by the ratios
-/// (viscosities only where they are not kept constant).
+/// Constants of all contacts. Free contacts have k, nu, k_t, nu_t; permanent links have these times the
+/// ratios (viscosities only where they are not kept constant).
 struct ParticleShearConstants {
   double k = 1;                              ///< central spring [mass / time^2]
   double nu = 0;                             ///< central viscosity [mass / time]
@@ -27,13 +28,13 @@ struct ParticleShearConstants {
   ParticleShearTensile tensile = ParticleShearTensile::linear;
   double plateau_begin = 0.3, plateau_end = 0.8,
          plateau_slope = 0.1;  ///< shares of d0; slope relative to no plateau
-  double tensile_range = 0.2;  ///< strain over which exponential tension grows by e
+  double tensile_range = 0.2;  ///< strain over which saturating tension nears its limit by a factor e
 };
 
 namespace particleshear {
 
-/// Repulsion [force] at distance d, d0 = r_i + r_j: k (1 - c) (d0 - d) + k c d0 (d0 / d - 1), S1-5a and
-/// S1-5b. The divergence ends at d0/1000: at most 999 k d0 for c = 1.
+/// Repulsion [force] at the distance d, d0 = r_i + r_j: k (1 - c) (d0 - d) + k c d0 (d0/d - 1) (S1-5a,
+/// S1-5b). Below d0/1000 the second part stays constant, so that it is at most 999 k c d0.
 inline double divergent_repulsion(double d, double d0, const ParticleShearConstants& c) {
   const double share = c.central_repulsion_coefficient;
   const double linear = c.k * (1 - share) * (d0 - d);
@@ -41,7 +42,7 @@ inline double divergent_repulsion(double d, double d0, const ParticleShearConsta
   return d > d0 ? 0.0 : linear + divergent;
 }
 
-/// The distance that the plateau law hands to the divergent law: the slope is reduced between begin and end.
+/// The distance at which the plateau law takes the divergent law: its slope is reduced between begin and end.
 inline double plateau_distance(double d, double d0, const ParticleShearConstants& c) {
   const double begin = c.plateau_begin * d0, end = c.plateau_end * d0;
   const double plateau = end + (d - end) * c.plateau_slope;
@@ -63,12 +64,12 @@ double tension(double d, double d0, const ParticleShearConstants& c) {
   else return c.k * (1 - std::exp(-(d - d0) / d0 / c.tensile_range)) * d0 * c.tensile_range;
 }
 
-/// The force with its magnitude cut to the limit.
+/// The force, its magnitude cut to the limit.
 inline double limited(double force, double limit) {
   return std::copysign(std::min(std::abs(force), limit), force);
 }
 
-/// What multiplies the forces of free contacts, or of links.
+/// Coefficients of the forces of free contacts, or of links.
 struct Coefficients {
   double ratio, nu, k_t, nu_t;
 };
@@ -79,26 +80,26 @@ inline Coefficients link_coefficients(const ParticleShearConstants& c) {
           c.k_t * c.permanent_ratio_tangential, c.nu_t * (keep ? 1 : c.permanent_ratio_tangential)};
 }
 
-/// What a contact is at one instant. v_n: speed of separation; v_t = (v_j - v_i).t - (r_i w_i + r_j w_j),
-/// uncompressed radii; the two elongations are those that each partner keeps toward the other.
+/// A contact at one instant: speed of separation v_n, tangential speed v_t = (v_j - v_i).t - (r_i w_i + r_j
+/// w_j) with the radii as lever arms, and the elongations that the first partner keeps toward the second and
+/// the second toward the first.
 struct Contact {
   double distance, d0, v_n, v_t;
   double elongation, elongation_back;
 };
 
-/// Forces of a contact, signs as in PairForce, and what the partners remember. slips: 1 where it slips, else
-/// 0.
+/// Forces of a contact, with signs as in PairForce, and the elongations that its partners remember. slips: 1
+/// if it slips, else 0.
 struct Force {
   double elastic, viscous, tangential;
   double elongation, elongation_back;
   double slips;
 };
 
-/// Central and tangential forces of a contact that touches or is linked.
-/// Each partner visits it once and applies half of its tangential force to both, with its own elongation. A
-/// visit that slips zeroes both elongations, so that the second visit of the same step often sticks: the
-/// package's sliding is a saw-tooth at about half the Coulomb limit. A stretched link has no tangential
-/// viscosity.
+/// Central and tangential forces of a contact that touches or is linked. Each partner visits the contact
+/// once, and applies half of the tangential force of its own elongation to both. A visit that slips sets both
+/// elongations to zero, so that the second visit in the same step often sticks: sliding in the package is a
+/// saw-tooth at about half the Coulomb limit. A stretched link has no tangential viscosity.
 template <ParticleShearElastic elastic_law, ParticleShearTensile tensile_law>
 inline Force contact_force(const Contact& x, bool permanent, const ParticleShearConstants& c,
                            const Coefficients& free, const Coefficients& link) {

@@ -13,7 +13,8 @@
 
 namespace supple {
 
-/// Scales of a suspension: those of equal discs, whatever the size ratio of the discs that are then made.
+/// Scales of a suspension: those of equal discs (b = 1), whatever the size ratio of the discs that are then
+/// made.
 struct ParticleShearScales {
   double radius = 0;  ///< sqrt(phi A / (pi N)), over sqrt((b + 1/b)/2) for size ratio b [um]
   double mass = 0;    ///< rho pi radius^2 [mg/m]
@@ -30,11 +31,11 @@ struct ParticleShearRun {
   ParticleShearConstants constants;
   ParticleShearScales scales;
   double dt = 0;            ///< time step of the protocol [s]
-  double first_dt_max = 0;  ///< where the very first relaxation starts [s]
-  double dt_max = 0;        ///< where later relaxations start [s]
+  double first_dt_max = 0;  ///< step with which the very first relaxation starts [s]
+  double dt_max = 0;        ///< step with which later relaxations start [s]
   double frequency = 0;     ///< [Hz]
   double amplitude = 0, pre_periods = 0, periods = 0, post_periods = 0;
-  double damping = 1;  ///< of velocity and spin, per step
+  double damping = 1;  ///< factor per step on velocity and spin
   std::int64_t steps = 0;
 
   /// Shear rate [1/s] of a step that starts at `time`; zero before and after the oscillation.
@@ -45,15 +46,15 @@ struct ParticleShearRun {
 /// win over the state's numbers. Throws an input error on what the package does not have.
 ParticleShearRun derive_particleshear(const Case& c, const InitialState* initial = nullptr);
 
-/// What a run records of it.
+/// The numbers that a run records.
 std::vector<Derived> derived_constants(const ParticleShearRun& run);
 
-/// The package's draw of the suspension: each disc large or small at random, so that the packing fraction
-/// holds on average; positions on whole units of length; density (b + 1/b)/2 times the nominal one, because
-/// its masses assume equal discs.
+/// The suspension as the package draws it: each disc is large or small at random, so that the packing
+/// fraction holds only on average; positions are whole units of length; and the density is (b + 1/b)/2 times
+/// the nominal one, because the package takes masses from equal discs.
 System<2> package_discs(const Box<2>& box, const DiscSpec& spec, std::uint64_t seed);
 
-/// A part of the preparation: steps of one kind.
+/// A part of the preparation: `steps` steps of one kind, and what follows them.
 struct ParticleShearStage {
   enum class Friction { off, on };
   enum class Then { nothing, remove_drift, link };

@@ -8,8 +8,8 @@
 
 namespace supple {
 
-/// What becomes of the force on plate discs after a step: the package's protocol zeroes it; its relaxation
-/// lets it accumulate (it moves nothing, but is reported).
+/// What becomes of the force on plate discs after a step. The protocol of the package sets it to zero; its
+/// relaxation adds the next one to it (the sum moves nothing, but is reported).
 enum class PlateForce { reset, accumulate };
 
 /// Semi-implicit Euler as the package does it, in micrometre, milligram and second. Contacts remember two
@@ -31,7 +31,7 @@ class ParticleShearStepper : public Stepper {
   void set_plates(Plates plates) override;
   const ParticleShearConstants& constants() const { return constants_; }
 
-  /// Brings the pair table up to date without evaluating, as linking needs it.
+  /// Brings the pair table up to date, as linking needs it, without evaluating forces.
   void update_neighbors(System<2>& system);
 
  private:
@@ -43,7 +43,7 @@ class ParticleShearStepper : public Stepper {
   NeighborList<2> neighbors_;
   ParticleShearContacts contacts_;
   Evaluation<2> evaluation_;
-  std::vector<Vec2> carried_force_;  ///< accumulated on plate discs
+  std::vector<Vec2> carried_force_;  ///< summed over steps on plate discs
 };
 
 }  // namespace supple
