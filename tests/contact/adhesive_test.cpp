@@ -174,7 +174,9 @@ TEST(AdhesiveLaw, MotionThroughTheWellKeepsEnergyAndMomentum) {
       EXPECT_LT(worst, 1e-5);
       EXPECT_LT(deepest, -0.9 * k * w * w / 4);
       const double left = out.energy.elastic;
-      if (speed > 0) EXPECT_EQ(left, 0);  // they have parted
+      if (speed > 0) {  // they have parted
+        EXPECT_EQ(left, 0);
+      }
     }
 }
 
