@@ -5,7 +5,7 @@
 namespace supple {
 
 std::optional<std::int64_t> move(const Course& course, System<2>& system, Stepper& stepper,
-                                 Recorder& recorder, const std::function<void(const Instant&)>& see) {
+                                 Recorder& recorder, const std::function<void(const CourseRow&)>& see) {
   FrameSchedule frames(course.rows - 1, course.frames);
   for (std::int64_t row = 0; row < course.rows; ++row) {
     const ShearRates rates = course.rates(row, system.time);

@@ -19,7 +19,7 @@ struct Course {
 };
 
 /// An instant whose forces are known; with energies where a frame is kept.
-struct Instant {
+struct CourseRow {
   std::int64_t row;
   const Evaluation<2>& evaluation;
   ShearRates rates;
@@ -29,6 +29,6 @@ struct Instant {
 /// Takes the steps and shows `see` each row before its step. Returns the row at which the recorder asked it
 /// to stop, before the step was taken. Throws what the stepper throws.
 std::optional<std::int64_t> move(const Course& course, System<2>& system, Stepper& stepper,
-                                 Recorder& recorder, const std::function<void(const Instant&)>& see);
+                                 Recorder& recorder, const std::function<void(const CourseRow&)>& see);
 
 }  // namespace supple

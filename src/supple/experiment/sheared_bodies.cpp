@@ -49,7 +49,7 @@ ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing
 void ShearedBodies::move(const Course& course) {
   LastGood good(packing_);
   try {
-    const auto see = [&](const Instant& now) {
+    const auto see = [&](const CourseRow& now) {
       if (now.keeps_frame || now.row % look_interval(course.steps) == 0) good.look();
       table_.append(now.evaluation, now.rates.now);
       energies_.append(packing_.system, now.evaluation);

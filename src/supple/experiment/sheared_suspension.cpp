@@ -17,7 +17,7 @@ ShearedSuspension::ShearedSuspension(const Case& c, const InitialState* initial,
 
 void ShearedSuspension::move(const Course& course) {
   Suspension& s = suspension_;
-  const auto see = [&](const Instant& now) {
+  const auto see = [&](const CourseRow& now) {
     table_.append(s.system, now.evaluation, now.rates.now);
     if (energies_) energies_->append(s.system, now.evaluation);
     if (now.keeps_frame) recorder_.frame(frame_of(s, now.evaluation, now.rates));
