@@ -55,6 +55,15 @@ TEST_F(ImagesTest, AreNumberedAndOfOneSize) {
   EXPECT_EQ(size(0), size(2));
 }
 
+/// Many frames take a while to be looked over: a stop is not to wait for that.
+TEST_F(ImagesTest, AStopIsHeardBeforeTheFirstIsDrawn) {
+  const auto stop = [](std::int64_t done, std::int64_t) {
+    if (done == 0) throw Error(ErrorKind::interrupted, "stop");
+  };
+  EXPECT_THROW(draw_frames(folder(), "svg", two_discs(5), 5, "", stop), Error);
+  EXPECT_EQ(files(), 1u);
+}
+
 TEST_F(ImagesTest, AreEvenlySpaced) {
   const RunFile run = two_discs(9);
   draw_frames(folder(), "png", run, 3);

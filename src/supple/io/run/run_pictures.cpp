@@ -135,7 +135,10 @@ std::int64_t draw_frames(const std::string& folder, const std::string& ending, c
   check_color(run, 0, color);
   images = std::clamp<std::int64_t>(images, 1, run.frames());
   RunScenes scenes(run, color);
-  for (std::int64_t k = 0; k < images; ++k) scenes.fit(scenes.scene(frame_of_image(k, images, run.frames())));
+  for (std::int64_t k = 0; k < images; ++k) {
+    scenes.fit(scenes.scene(frame_of_image(k, images, run.frames())));
+    if (progress) progress(0, images);  // that hears of a stop, too
+  }
   for (std::int64_t k = 0; k < images; ++k) {
     scenes.draw(fmt::format("{}/image{:07}.{}", folder, k, ending),
                 scenes.scene(frame_of_image(k, images, run.frames())));

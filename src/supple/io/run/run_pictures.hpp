@@ -23,9 +23,9 @@ std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t fr
 
 /// Draws `images` evenly spaced frames, first and last included (all where there are fewer), as
 /// FOLDER/image0000000.ENDING, ... on equal pages with one scale of forces and, of a `color`, one scale of
-/// that; periodic cells, which may shrink, fill the page. `progress` (may be empty) hears how many are done.
-/// Returns how many were drawn. Throws an input error for an unknown ending or a run without frames, a file
-/// error where it cannot write.
+/// that; periodic cells, which may shrink, fill the page. `progress` (may be empty) hears how many are done,
+/// none while frames are looked over for their scales; it may throw. Returns how many were drawn. Throws an
+/// input error for an unknown ending or a run without frames, a file error where it cannot write.
 std::int64_t draw_frames(const std::string& folder, const std::string& ending, const RunFile& run,
                          std::int64_t images, const std::string& color = "",
                          const std::function<void(std::int64_t done, std::int64_t total)>& progress = {});
