@@ -239,17 +239,6 @@ TEST(BodyShear, DynamicsWithAShearRateMakesAFlow) {
   EXPECT_LT(r.get("results", "energy_residual"), 2e-3);
 }
 
-TEST(BodyShear, RefusesRigidParticles) {
-  Case c = small_gel();
-  c.bodies.family = "rough_disc";
-  try {
-    derive(c, nullptr);
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("rigid"));
-  }
-}
-
 /// Polygons that touch, each pair of touching vertices once, the wrong way round, and again.
 struct Crowd {
   System<2> system = testing::random_polygons();

@@ -1,6 +1,7 @@
 /// What a user can go on with: each experiment from each kind of file either goes on right or is refused with
 /// a reason.
 #include "tests/io/continued_run.hpp"
+#include "tests/io/same_system.hpp"
 
 namespace supple {
 namespace {
@@ -143,10 +144,9 @@ TEST_F(ContinuationMatrix, LinksGoOnInAStateAndAreNotLostInAPacking) {
 
 TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
   make_files();
-  const std::string rigid = "rigid particles", linked = "holds crosslinked particles",
-                    microgel = "holds discs of microgels", periodic = "is periodic",
-                    walls = "lies between walls", open = "lies under gravity", made = "is prepared already",
-                    other = "is about discs of microgels";
+  const std::string linked = "holds crosslinked particles", microgel = "holds discs of microgels",
+                    periodic = "is periodic", walls = "lies between walls", open = "lies under gravity",
+                    made = "is prepared already", other = "is about discs of microgels";
   // One column for each experiment; empty: it goes on.
   const std::vector<std::string> experiments{"oscillatory_shear",    "dynamics", "jamming",    "compression",
                                              "uniaxial_compression", "slump",    "preparation"};
@@ -154,7 +154,7 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
       {"gel.h5", {"", "", microgel, microgel, microgel, microgel, made}},
       {"package.h5", {"", "", microgel, microgel, microgel, microgel, made}},
       {"jam.h5", {"", "", "", "", periodic, "", other}},
-      {"rigid.h5", {rigid, "", "", "", periodic, "", other}},
+      {"rigid.h5", {"", "", "", "", periodic, "", other}},
       {"box.h5", {walls, "", walls, walls, "", "", other}},
       {"heap.h5", {walls, "", walls, walls, open, "", other}},
       {"linked.h5", {"", linked, linked, linked, periodic, linked, other}}};
@@ -191,6 +191,27 @@ TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {
     EXPECT_EQ(a.keys, b.keys) << file;
     EXPECT_EQ(a.protocol, b.protocol) << file << ": the sum of removed jumps, too";
     EXPECT_EQ(a.environment.stands, b.environment.stands) << file;
+  }
+}
+
+/// With friction.
+TEST_F(ContinuationMatrix, AShearedRunSplitInTwoHasTheBitsOfTheWhole) {
+  make_files();
+  for (const std::string file : {"jam.h5", "rigid.h5"}) {
+    const auto steps = [&](int n) {
+      return case_of(
+          "experiment = \"dynamics\"\n[initial]\nkeep_time = true\n[shear]\nrate = "
+          "\"0.05 + 0*t\"\n[material]\nfriction = 0.3\n[time]\nstep = 0.05\nsteps = " +
+          std::to_string(n));
+    };
+    record("whole.h5", steps(150), file);
+    record("first.h5", steps(70), file);
+    record("second.h5", steps(80), "first.h5");
+    const InitialState a = load("whole.h5"), b = load("second.h5");
+    EXPECT_GT(a.system.lag, 0);
+    EXPECT_FALSE(a.system.touches.rows.empty());
+    expect_same(a.system, b.system);
+    EXPECT_EQ(a.evaluation->force, b.evaluation->force) << file;
   }
 }
 

@@ -22,7 +22,6 @@ namespace {
 /// Particles of the state, or random ones, jammed.
 Packing jammed_packing(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_periodic_packing(c, initial, sheared(at_random(recorder)));
-  refuse_rigid(packing);
   if (initial) return packing;
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   WayToJam way(c.jamming.pressure);
@@ -98,7 +97,6 @@ void record_moduli(const BodyStressTable& table, const std::vector<double>& lost
 
 std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initial) {
   Packing packing = make_periodic_packing(c, initial, sheared(set_apart));
-  refuse_rigid(packing);
   const BodyLaws laws = body_laws(c, packing);
   const OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
   return derived_shear(packing, laws, p, damping_of(c, p));

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "supple/model/rigid.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/summary.hpp"
 
@@ -41,10 +42,14 @@ void BodyStressTable::append(const Evaluation<2>& evaluation, double strain_rate
 double BodyStressTable::kinetic_moment(const Evaluation<2>& evaluation) const {
   const System<2>& s = packing_.system;
   double sum = 0;
-  for (int i = 0; i < s.state.size(); ++i) {
-    const Vec2 u = synchronised_velocity(s, evaluation, i) - s.box.flow_velocity(s.state.position[i]);
-    sum += s.state.mass[i] * u[flow] * u[gradient];
-  }
+  const auto add = [&](double mass, const Vec2& at, const Vec2& velocity) {
+    const Vec2 u = velocity - s.box.flow_velocity(at);
+    sum += mass * u[flow] * u[gradient];
+  };
+  for_sites_apart(
+      s, [&](int i) { add(s.state.mass[i], s.state.position[i], synchronised_velocity(s, evaluation, i)); });
+  for (int r = 0; r < s.rigid.size(); ++r)
+    add(s.rigid.mass[r], s.rigid.centre[r], synchronised_rigid(s, evaluation, r).velocity);
   return sum;
 }
 

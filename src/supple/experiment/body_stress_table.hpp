@@ -18,7 +18,8 @@ class BodyStressTable {
 
  private:
   /// sum m u_x u_y at the instant of the forces [energy], u relative to the flow of the box (that of half a
-  /// step before).
+  /// step before). Rigid bodies count as wholes, as in their virial: what they turn with is no stress in the
+  /// mean, as the forces that keep them together cancel it.
   double kinetic_moment(const Evaluation<2>& evaluation) const;
 
   const Packing& packing_;

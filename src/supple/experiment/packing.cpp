@@ -17,6 +17,7 @@
 #include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/model/body_flow.hpp"
+#include "supple/model/rigid.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/shape_measures.hpp"
 
@@ -157,6 +158,8 @@ System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
   System<2> system = initial.system;
   if (flow == Flow::stopped) {
     set_strain_rate(system, 0);
+    system.lag = 0;  // velocities of its end begin this one
+    place_sites(system);
     system.touches = {};  // only contacts that rub remember
   }
   give_stiffness(c, system);

@@ -25,12 +25,6 @@ Making sheared(Making making) {
   return making;
 }
 
-void refuse_rigid(const Packing& packing) {
-  if (!packing.system.rigid.empty())
-    throw input_error("shear of rigid particles", "rigid polygons cross no sheared boundary yet",
-                      "choose another family, or discs (bodies.family = \"disc\")");
-}
-
 void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
   if (c.particles.permanent_links && packing.system.links.empty())
     recorder.value("results", {"clusters", "", "clusters of particles that links hold together"},

@@ -13,9 +13,6 @@ namespace supple {
 /// `making`, with the flow, links and contact memory of a state kept (Flow::kept).
 Making sheared(Making making);
 
-/// Throws an input error where particles are rigid polygons, which cannot cross a sheared boundary.
-void refuse_rigid(const Packing& packing);
-
 /// Links the particles if the case asks for it and they are not linked yet; records the numbers of links and
 /// clusters.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder);

@@ -21,14 +21,12 @@ std::vector<Derived> derived_dynamics(const Case& c, Packing& packing, const Bod
 
 std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(set_apart));
-  refuse_rigid(packing);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   return derived_dynamics(c, packing, body_laws(c, packing));
 }
 
 void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(at_random(recorder)));
-  refuse_rigid(packing);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const BodyLaws laws = body_laws(c, packing);
   const double dt = sheared_body_step(c, laws, packing);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "supple/model/rigid.hpp"
 #include "supple/model/row_separation.hpp"
 
 namespace supple {
@@ -32,12 +33,29 @@ void follow_body(System<2>& system, const std::vector<std::int32_t>& body, std::
   }
 }
 
+/// Adds a rigid motion, of velocity and spin about the centre, to that of body b.
+void add_motion(System<2>& system, int b, const Vec2& centre, const Vec2& velocity, double spin) {
+  State<2>& s = system.state;
+  if (is_one_site(system, b)) {
+    s.velocity[system.topology.body_begin(b)] += velocity;
+    s.spin[system.topology.body_begin(b)] += spin;
+  } else if (const int r = rigid_index(system, b); r >= 0) {
+    system.rigid.velocity[r] += velocity;
+    system.rigid.spin[r] += spin;
+    place_sites(system, r);
+  } else {
+    for_sites(system, b, [&](int i) { s.velocity[i] += velocity + cross(spin, s.position[i] - centre); });
+  }
+}
+
 }  // namespace
 
 Vec2 centre_of_mass(const System<2>& system, int b) {
   const State<2>& s = system.state;
   const Vec2 origin =
       s.position[system.topology.body_begin(b)];  // keeps the digits of bodies that are far away
+  if (is_one_site(system, b)) return origin;
+  if (const int r = rigid_index(system, b); r >= 0) return system.rigid.centre[r];
   Vec2 moment{};
   double mass = 0;
   for_sites(system, b, [&](int i) {
@@ -52,6 +70,9 @@ BodyMotion body_motion(const System<2>& system, int b) {
   const int first = system.topology.body_begin(b);
   if (is_one_site(system, b))
     return {s.position[first], s.velocity[first], s.mass[first], s.inertia[first], s.spin[first]};
+  const RigidBodies& rigid = system.rigid;
+  if (const int r = rigid_index(system, b); r >= 0)
+    return {rigid.centre[r], rigid.velocity[r], rigid.mass[r], rigid.inertia[r], rigid.spin[r]};
   BodyMotion motion;
   motion.centre = centre_of_mass(system, b);
   Vec2 momentum{};
@@ -68,29 +89,16 @@ BodyMotion body_motion(const System<2>& system, int b) {
   return motion;
 }
 
-void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity,
-                 std::vector<double>& spin) {
-  const State<2>& s = system.state;
-  const double middle = 0.5 * system.box.length[gradient];
-  for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
-    if (is_one_site(system, b)) {
-      const int i = system.topology.body_begin(b);
-      velocity[i][flow] += (s.position[i][gradient] - middle) * change;
-      spin[i] -= 0.5 * change;
-      continue;
-    }
-    const Vec2 centre = centre_of_mass(system, b);
-    Vec2 of_centre{};
-    of_centre[flow] = (centre[gradient] - middle) * change;
-    for_sites(system, b,
-              [&](int i) { velocity[i] += of_centre + cross(-0.5 * change, s.position[i] - centre); });
-  }
-}
-
 void set_strain_rate(System<2>& system, double rate) {
-  const double change = rate - system.box.strain_rate;
+  const double change = rate - system.box.strain_rate, turning = -0.5 * change;
   system.box.strain_rate = rate;
-  if (change != 0) change_flow(system, change, system.state.velocity, system.state.spin);
+  if (change == 0) return;
+  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
+    const Vec2 centre = centre_of_mass(system, b);
+    Vec2 velocity{};
+    velocity[flow] = (centre[gradient] - 0.5 * system.box.length[gradient]) * change;
+    add_motion(system, b, centre, velocity, turning);
+  }
 }
 
 void damp_bodies(System<2>& system, double factor) {
@@ -107,10 +115,7 @@ void damp_bodies(System<2>& system, double factor) {
     }
     const BodyMotion m = body_motion(system, b);
     const Vec2 relative = m.velocity - system.box.flow_velocity(m.centre);
-    const double turning = m.spin - rotation;
-    for_sites(system, b, [&](int k) {
-      s.velocity[k] += (factor - 1) * (relative + cross(turning, s.position[k] - m.centre));
-    });
+    add_motion(system, b, m.centre, (factor - 1) * relative, (factor - 1) * (m.spin - rotation));
   }
 }
 
@@ -127,10 +132,16 @@ bool wrap_bodies(System<2>& system) {
     const Vec2 n = system.box.wrap(centre, velocity);
     if (n == Vec2{} || !is_passable(system.topology.body_begin(b), n)) continue;
     const Vec2 back = system.box.lattice().vector(n);
-    for_sites(system, b, [&](int i) {
-      s.position[i] -= back;
-      s.velocity[i] += velocity;
-    });
+    if (const int r = rigid_index(system, b); r >= 0) {
+      system.rigid.centre[r] -= back;
+      system.rigid.velocity[r] += velocity;
+      place_sites(system, r);
+    } else {
+      for_sites(system, b, [&](int i) {
+        s.position[i] -= back;
+        s.velocity[i] += velocity;
+      });
+    }
     if (body.empty()) body = bodies_of_sites(system.topology, s.size());
     follow_body(system, body, b, n);
     moved = true;

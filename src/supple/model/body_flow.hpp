@@ -7,7 +7,7 @@ namespace supple {
 
 /// The rigid part of the motion of a body: velocity of its centre of mass [length/time], and angular velocity
 /// about that centre [1/time], counter-clockwise. `inertia` is about the centre, of sites as points. A body
-/// of one site has all of these from its site.
+/// of one site has all of these from its site, a rigid body from System::rigid.
 struct BodyMotion {
   Vec2 centre{}, velocity{};
   double mass = 0, inertia = 0, spin = 0;
@@ -17,13 +17,9 @@ BodyMotion body_motion(const System<2>& system, int body);
 /// The centre of mass alone [length].
 Vec2 centre_of_mass(const System<2>& system, int body);
 
-/// Adds to `velocity` and `spin` (one of each site) what a change of the shear rate by `change` [1/time] does
-/// to bodies. Each takes the flow velocity at its centre, v_x += (y - Ly/2) change, and turns as the flow
-/// does, w -= change/2, as a rigid body; its shape follows later, by the forces.
-void change_flow(const System<2>& system, double change, std::vector<Vec2>& velocity,
-                 std::vector<double>& spin);
-
-/// Sets the shear rate of the cell [1/time], and changes the motion of its bodies by change_flow().
+/// Sets the shear rate of the cell [1/time]. Each body takes the change of the flow velocity at its centre,
+/// v_x += (y - Ly/2) change, and turns as the flow does, w -= change/2, as a rigid body; its shape follows
+/// later, by the forces.
 void set_strain_rate(System<2>& system, double rate);
 
 /// Multiplies by `factor` the velocity of each free body relative to the flow at its centre, and its angular

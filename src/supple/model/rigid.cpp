@@ -39,19 +39,29 @@ Motion motion_of(const System<2>& system, int b) {
   return m;
 }
 
-void place_sites_of(System<2>& system, int r) {
+}  // namespace
+
+void place_sites(System<2>& system, int r) {
   const RigidBodies& rigid = system.rigid;
   State<2>& s = system.state;
   const double c = std::cos(rigid.angle[r]), sine = std::sin(rigid.angle[r]);
+  // R(angle) - R(angle - w lag) = 2 sin(w lag/2) z x R(angle - w lag/2).
+  const double half = 0.5 * system.lag, turn = half * rigid.spin[r];
+  const double rate = half > 0 ? std::sin(turn) / half : rigid.spin[r];
+  const double back_c = std::cos(turn), back_s = std::sin(turn);
   int i = system.topology.body_begin(rigid.body[r]);
   for (int k = rigid.begin[r]; k < rigid.begin[r + 1]; ++k, ++i) {
     const Vec2 o = rigid.offset[k], arm{c * o[0] - sine * o[1], sine * o[0] + c * o[1]};
     s.position[i] = rigid.centre[r] + arm;
-    s.velocity[i] = rigid.velocity[r] + cross(rigid.spin[r], arm);
+    s.velocity[i] = rigid.velocity[r] + cross(rate, back_c * arm - cross(back_s, arm));
   }
 }
 
-}  // namespace
+int rigid_index(const System<2>& system, int b) {
+  const std::vector<std::int32_t>& body = system.rigid.body;
+  const auto at = std::lower_bound(body.begin(), body.end(), b);
+  return at != body.end() && *at == b ? static_cast<int>(at - body.begin()) : -1;
+}
 
 void make_rigid(System<2>& system, int b) {
   RigidBodies& rigid = system.rigid;
@@ -85,11 +95,11 @@ void make_rigid(System<2>& system, int b) {
   for (std::size_t k = r + 1; k < rigid.begin.size(); ++k)
     rigid.begin[k] += static_cast<std::int32_t>(offset.size());
   if (!system.shape.empty()) system.shape.stiffness[static_cast<std::size_t>(b)] = {};
-  place_sites_of(system, static_cast<int>(r));
+  place_sites(system, static_cast<int>(r));
 }
 
 void place_sites(System<2>& system) {
-  for (int r = 0; r < system.rigid.size(); ++r) place_sites_of(system, r);
+  for (int r = 0; r < system.rigid.size(); ++r) place_sites(system, r);
 }
 
 RigidForce force_on_rigid(const System<2>& system, const std::vector<Vec2>& force, int r) {

@@ -9,9 +9,26 @@ namespace supple {
 /// disc moves as a site).
 void make_rigid(System<2>& system, int b);
 
+/// Index in System::rigid of body b; -1: it is not rigid.
+int rigid_index(const System<2>& system, int b);
+
+/// visit(i) for each site that is no part of a rigid body, ascending.
+template <class Visit>
+void for_sites_apart(const System<2>& system, const Visit& visit) {
+  int i = 0;
+  for (const std::int32_t b : system.rigid.body) {
+    for (; i < system.topology.body_begin(b); ++i) visit(i);
+    i = system.topology.body_end(b);
+  }
+  for (; i < system.state.size(); ++i) visit(i);
+}
+
 /// Sets positions and velocities of the sites of all rigid bodies from their centres, angles, velocities and
-/// spins. Call it after changing any of these.
+/// spins. Call it after changing any of these. Where velocities lag behind (System::lag), that of a site is
+/// of the straight step that it made, v = (x(t) - x(t - lag))/lag, as for all other sites: a rotation with
+/// tan(w lag/2)/(lag/2) about the middles of these steps (Instant).
 void place_sites(System<2>& system);
+void place_sites(System<2>& system, int r);
 
 /// What forces on the sites of a rigid body do to it.
 struct RigidForce {

@@ -9,7 +9,7 @@ namespace supple {
 
 /// Which bodies of a 2D system are rigid, and how they move. Rigid body r is the body `body[r]` of Topology,
 /// ascending. Its centre and angle say where it is; its sites follow from these (place_sites), never the
-/// other way round. Neither is ever wrapped.
+/// other way round. The angle is never wrapped, the centre where the cell is sheared (wrap_bodies).
 struct RigidBodies {
   std::vector<std::int32_t> body;
   std::vector<Vec2> centre, velocity;  ///< of the centre of mass [length], [length/time]

@@ -1,17 +1,24 @@
 #include "supple/observe/energy_balance.hpp"
 
+#include "supple/model/rigid.hpp"
 #include "supple/observe/summary.hpp"
 
 namespace supple {
 namespace {
 
 /// Kinetic energy of the velocities as they stand, half a step before or after the instant of the forces.
-double kinetic_energy_now(const State<2>& s) {
+double kinetic_energy_now(const System<2>& system) {
+  const State<2>& s = system.state;
   double sum = 0;
-  for (int i = 0; i < s.size(); ++i) {
+  for_sites_apart(system, [&](int i) {
     if (s.mobility[i] == Mobility::free) sum += 0.5 * s.mass[i] * dot(s.velocity[i], s.velocity[i]);
     sum += 0.5 * s.inertia[i] * s.spin[i] * s.spin[i];
-  }
+  });
+  const RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r)
+    if (!held(system, r))
+      sum += 0.5 * (rigid.mass[r] * dot(rigid.velocity[r], rigid.velocity[r]) +
+                    rigid.inertia[r] * rigid.spin[r] * rigid.spin[r]);
   return sum;
 }
 
@@ -19,9 +26,14 @@ double kinetic_energy_now(const State<2>& s) {
 double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   double power = 0;
-  for (int i = 0; i < s.size(); ++i) {
+  for_sites_apart(system, [&](int i) {
     if (s.mobility[i] == Mobility::free) power += dot(evaluation.force[i], s.velocity[i]);
     power += evaluation.torque[i] * s.spin[i];
+  });
+  for (int r = 0; r < system.rigid.size(); ++r) {
+    if (held(system, r)) continue;
+    const RigidForce on_body = force_on_rigid(system, evaluation.force, r);
+    power += dot(on_body.force, system.rigid.velocity[r]) + on_body.torque * system.rigid.spin[r];
   }
   return power;
 }
@@ -37,10 +49,11 @@ double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
 
 /// Power of the sheared images. The image n_y cells up moves at n_y Ly rate beyond its original, so that a
 /// contact with it, of force F on the site here, adds F_x n_y Ly rate to the energy. sum F_x n_y Ly is what
-/// sum f_x y over the sites has beyond the virial sum F_x l_y, apart from walls.
+/// sum f_x y over the sites has beyond the virial sum F_x l_y, apart from walls, and from what keeps rigid
+/// bodies together.
 double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
   if (system.box.strain_rate == 0) return 0;
-  double sum = -evaluation.virial[flow][gradient];
+  double sum = (rigid_virial(system, evaluation.force) + -1.0 * evaluation.virial)[flow][gradient];
   for (int i = 0; i < system.state.size(); ++i)
     sum += evaluation.force[i][flow] * system.state.position[i][gradient];
   for (const SiteForce<2>& wall : evaluation.wall)
@@ -58,7 +71,7 @@ EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluatio
 void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluation) {
   flows_ = {};
   energy_at_opening_ = energy_state(system, evaluation).total();
-  kinetic_ = kinetic_energy_now(system.state);
+  kinetic_ = kinetic_energy_now(system);
   // Forces of the half step and losses of the step before this instant belong to the time before.
   book_boundaries(system, evaluation, -0.5 * system.lag);
   book_losses(evaluation, -system.lag);
@@ -67,11 +80,11 @@ void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluatio
 void EnergyBalance::resume(const System<2>& system, double energy_at_opening, const EnergyFlows& booked) {
   flows_ = booked;
   energy_at_opening_ = energy_at_opening;
-  kinetic_ = kinetic_energy_now(system.state);
+  kinetic_ = kinetic_energy_now(system);
 }
 
 void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>& system) {
-  const double now = kinetic_energy_now(system.state);
+  const double now = kinetic_energy_now(system);
   flows_.*part += sign * (now - kinetic_);
   kinetic_ = now;
 }
@@ -91,7 +104,7 @@ void EnergyBalance::meet(const System<2>& system, const Evaluation<2>& evaluatio
 }
 
 void EnergyBalance::book_contacts(const System<2>& system, const Evaluation<2>& evaluation) {
-  kinetic_ = kinetic_energy_now(system.state);
+  kinetic_ = kinetic_energy_now(system);
   meet(system, evaluation);
 }
 

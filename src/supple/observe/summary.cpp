@@ -1,15 +1,31 @@
 #include "supple/observe/summary.hpp"
 
+#include "supple/model/rigid.hpp"
+
 namespace supple {
+
+RigidRates synchronised_rigid(const System<2>& system, const Evaluation<2>& evaluation, int r) {
+  const RigidBodies& rigid = system.rigid;
+  if (held(system, r)) return {rigid.velocity[r], rigid.spin[r]};
+  const RigidForce on_body = force_on_rigid(system, evaluation.force, r);
+  return {rigid.velocity[r] + 0.5 * system.lag / rigid.mass[r] * on_body.force,
+          rigid.spin[r] + 0.5 * system.lag / rigid.inertia[r] * on_body.torque};
+}
 
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   Momenta sum;
-  for (int i = 0; i < s.size(); ++i) {
+  for_sites_apart(system, [&](int i) {
     const Vec2 v = synchronised_velocity(system, evaluation, i);
     sum.linear += s.mass[i] * v;
     sum.angular +=
         s.mass[i] * cross(s.position[i], v) + s.inertia[i] * synchronised_spin(system, evaluation, i);
+  });
+  const RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r) {
+    const RigidRates now = synchronised_rigid(system, evaluation, r);
+    sum.linear += rigid.mass[r] * now.velocity;
+    sum.angular += rigid.mass[r] * cross(rigid.centre[r], now.velocity) + rigid.inertia[r] * now.spin;
   }
   return sum;
 }
@@ -17,14 +33,23 @@ Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
 KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   KineticEnergy sum;
-  for (int i = 0; i < s.size(); ++i) {
+  const auto translate = [&](double mass, const Vec2& at, const Vec2& v) {
+    const Vec2 peculiar = v - system.box.flow_velocity(at);
+    sum.translation += 0.5 * mass * dot(v, v);
+    sum.peculiar += 0.5 * mass * dot(peculiar, peculiar);
+  };
+  for_sites_apart(system, [&](int i) {
     const double spin = synchronised_spin(system, evaluation, i);
     sum.spin += 0.5 * s.inertia[i] * spin * spin;
-    if (s.mobility[i] != Mobility::free) continue;
-    const Vec2 v = synchronised_velocity(system, evaluation, i);
-    const Vec2 peculiar = v - system.box.flow_velocity(s.position[i]);
-    sum.translation += 0.5 * s.mass[i] * dot(v, v);
-    sum.peculiar += 0.5 * s.mass[i] * dot(peculiar, peculiar);
+    if (s.mobility[i] == Mobility::free)
+      translate(s.mass[i], s.position[i], synchronised_velocity(system, evaluation, i));
+  });
+  const RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r) {
+    if (held(system, r)) continue;
+    const RigidRates now = synchronised_rigid(system, evaluation, r);
+    sum.spin += 0.5 * rigid.inertia[r] * now.spin * now.spin;
+    translate(rigid.mass[r], rigid.centre[r], now.velocity);
   }
   return sum;
 }

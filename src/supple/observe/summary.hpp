@@ -16,16 +16,23 @@ inline double synchronised_spin(const System<2>& system, const Evaluation<2>& ev
   return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
 }
 
-/// Momenta of all sites: linear, sum m v; angular, sum [m (x v_y - y v_x) + I w] about the corner of the
-/// cell.
+/// The same of rigid body r.
+struct RigidRates {
+  Vec2 velocity;
+  double spin;
+};
+RigidRates synchronised_rigid(const System<2>& system, const Evaluation<2>& evaluation, int r);
+
+/// Momenta of all sites and rigid bodies: linear, sum m v; angular, sum [m (x v_y - y v_x) + I w] about the
+/// corner of the cell.
 struct Momenta {
   Vec2 linear{};
   double angular = 0;
 };
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
 
-/// Kinetic energies [energy]: of the translation of free sites, of their translation relative to the affine
-/// flow, and of all spins (plate discs are moved from outside, but spin freely).
+/// Kinetic energies [energy]: of the translation of free sites and rigid bodies, of their translation
+/// relative to the affine flow, and of all spins (plate discs are moved from outside, but spin freely).
 struct KineticEnergy {
   double translation = 0, peculiar = 0, spin = 0;
   double total() const { return translation + spin; }

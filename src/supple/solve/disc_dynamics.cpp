@@ -5,35 +5,66 @@
 
 #include "supple/core/error.hpp"
 #include "supple/model/body_flow.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
 namespace {
 
-void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
+/// What is held has the velocity of what holds it: sites that are not free, and rigid bodies with such a
+/// site. Discs may turn.
+void hold(System<2>& system) {
   State<2>& s = system.state;
   const double plate_speed = 0.5 * system.box.strain_rate * system.box.length[gradient];
-  for (int i = 0; i < s.size(); ++i) {
-    s.spin[i] += time / s.inertia[i] * evaluation.torque[i];
+  for_sites_apart(system, [&](int i) {
     switch (s.mobility[i]) {
-      case Mobility::free: s.velocity[i] += time / s.mass[i] * evaluation.force[i]; break;
+      case Mobility::free: break;
       case Mobility::lower_plate: s.velocity[i] = {-plate_speed, 0}; break;
       case Mobility::upper_plate: s.velocity[i] = {plate_speed, 0}; break;
       case Mobility::fixed: s.velocity[i] = {}; break;
     }
+  });
+  for (int r = 0; r < system.rigid.size(); ++r) {
+    if (held(system, r)) {
+      system.rigid.velocity[r] = {};
+      system.rigid.spin[r] = 0;
+    }
+    place_sites(system, r);
   }
+}
+
+void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
+  State<2>& s = system.state;
+  for_sites_apart(system, [&](int i) {
+    s.spin[i] += time / s.inertia[i] * evaluation.torque[i];
+    s.velocity[i] += time / s.mass[i] * evaluation.force[i];
+  });
+  RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r) {
+    const RigidForce on_body = force_on_rigid(system, evaluation.force, r);
+    rigid.velocity[r] += time / rigid.mass[r] * on_body.force;
+    rigid.spin[r] += time / rigid.inertia[r] * on_body.torque;
+  }
+  hold(system);
 }
 
 /// Returns whether a body of many sites crossed the boundary.
 bool drift(System<2>& system, double dt) {
   State<2>& s = system.state;
   system.box.strain += system.box.strain_rate * dt;
-  double finite = 0;  // becomes NaN with the first value that is not finite
-  for (int i = 0; i < s.size(); ++i) {
+  system.lag = dt;
+  for_sites_apart(system, [&](int i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
-    finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
+  });
+  RigidBodies& rigid = system.rigid;
+  for (int r = 0; r < rigid.size(); ++r) {
+    rigid.angle[r] += dt * rigid.spin[r];
+    rigid.centre[r] += dt * rigid.velocity[r];
   }
+  place_sites(system);
+  double finite = 0;  // becomes NaN with the first value that is not finite
+  for (int i = 0; i < s.size(); ++i) finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   const bool crossed = wrap_bodies(system);
   for (int i = 0; finite != 0 && i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
@@ -76,22 +107,13 @@ const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system, ShearRat
 
 void DiscDynamics::bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
                                     std::vector<double>& spin) const {
-  const State<2>& s = system.state;
-  const Box<2>& box = system.box;
-  const double half = 0.5 * system.lag, plate_speed = 0.5 * rate_now * box.length[gradient];
-  for (int i = 0; i < s.size(); ++i) {
-    spin[i] += half / s.inertia[i] * evaluation_.torque[i];
-    velocity[i] += half / s.mass[i] * evaluation_.force[i];
-  }
-  change_flow(system, rate_now - box.strain_rate, velocity, spin);
-  for (int i = 0; i < s.size(); ++i) {
-    switch (s.mobility[i]) {
-      case Mobility::free: break;
-      case Mobility::lower_plate: velocity[i] = {-plate_speed, 0}; break;
-      case Mobility::upper_plate: velocity[i] = {plate_speed, 0}; break;
-      case Mobility::fixed: velocity[i] = {}; break;
-    }
-  }
+  System<2> now = system;
+  now.lag = 0;
+  kick(now, evaluation_, 0.5 * system.lag);
+  set_strain_rate(now, rate_now);
+  hold(now);
+  velocity = std::move(now.state.velocity);
+  spin = std::move(now.state.spin);
 }
 
 void DiscDynamics::set_plates(Plates plates) {
@@ -121,7 +143,6 @@ void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, doubl
   if (account_) account_->book(&EnergyFlows::images, 1, system);
   capture_at_boundaries(system, plates_);
   if (account_) account_->book(&EnergyFlows::plates, 1, system);
-  system.lag = dt;
   system.time += dt;
   ++system.step;
 }
