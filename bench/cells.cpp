@@ -9,7 +9,7 @@
 #include "bench/machine.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/packing.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple::bench {
 namespace {
@@ -25,7 +25,7 @@ double seconds_of_cell(double aspect_ratio) {
   double best = std::numeric_limits<double>::infinity();
   for (int repeat = 0; repeat < repeats; ++repeat) {
     System<2> system = start;
-    DiscDynamics dynamics = dense_dynamics();
+    Mover dynamics = dense_dynamics();
     const double begin = cpu_seconds();
     for (int i = 0; i < 500; ++i) {
       dynamics.evaluate(system, {});
@@ -52,7 +52,7 @@ double seconds_of_ratio(double ratio) {
   double best = std::numeric_limits<double>::infinity();
   for (int repeat = 0; repeat < repeats; ++repeat) {
     System<2> system = start.system;
-    BodyDynamics dynamics(*start.field);
+    Mover dynamics(*start.field);
     const double begin = cpu_seconds();
     for (int i = 0; i < 300; ++i) dynamics.advance(system, dt);
     best = std::min(best, cpu_seconds() - begin);

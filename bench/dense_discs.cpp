@@ -41,7 +41,7 @@ void number_in_space(State<2>& s, double cell) {
 void relax(System<2>& system) {
   DiscLaw law = dense_law();
   law.friction = 0;
-  DiscDynamics dynamics{ForceField(DiscContacts(Divergent(0), law))};
+  Mover dynamics{ForceField(DiscContacts(Divergent(0), law))};
   for (int step = 0; step < 1000; ++step) {
     dynamics.evaluate(system, {});
     dynamics.advance(system, {}, 0.1, 0.9);
@@ -68,8 +68,8 @@ DiscLaw dense_law() {
   return {s, s, Tensile{}, 0.5, Slip::clamp, LeverArm::distance};
 }
 
-DiscDynamics dense_dynamics(double relative_skin) {
-  return DiscDynamics(ForceField(DiscContacts(Divergent(0), dense_law()), relative_skin));
+Mover dense_dynamics(double relative_skin) {
+  return Mover(ForceField(DiscContacts(Divergent(0), dense_law()), relative_skin));
 }
 
 System<2> dense_discs(const DenseSpec& spec) {

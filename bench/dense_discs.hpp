@@ -1,6 +1,6 @@
 /// The case that everything is timed on: dense bidisperse frictional discs in gentle motion.
 #pragma once
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple::bench {
 
@@ -17,7 +17,7 @@ inline constexpr double time_step = 0.02;
 /// Linear repulsion with tangential springs as stiff, light damping (so that motion lasts), friction
 /// coefficient 0.5.
 DiscLaw dense_law();
-DiscDynamics dense_dynamics(double relative_skin = default_skin);
+Mover dense_dynamics(double relative_skin = default_skin);
 
 /// Random discs numbered along a space-filling curve, relaxed without friction, then set in motion.
 System<2> dense_discs(const DenseSpec& spec);

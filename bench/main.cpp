@@ -37,7 +37,7 @@ struct StepTime {
 };
 
 StepTime time_steps(System<2> system, int steps) {
-  DiscDynamics dynamics = dense_dynamics();
+  Mover dynamics = dense_dynamics();
   const double start = cpu_seconds();
   for (int i = 0; i < steps; ++i) {
     dynamics.evaluate(system, {});
@@ -54,7 +54,7 @@ double time_with_tensors(int steps) {
   spec.discs = 150;
   spec.packing_fraction = 1.5;
   System<2> system = dense_discs(spec);
-  DiscDynamics dynamics = dense_dynamics();
+  Mover dynamics = dense_dynamics();
   double kept = 0;
   const double start = cpu_seconds();
   for (int i = 0; i < steps; ++i) {

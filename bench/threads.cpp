@@ -37,7 +37,7 @@ class Load {
 
 double wall_seconds(System<2> system, int steps, int threads) {
   thread_count() = threads;
-  DiscDynamics dynamics = dense_dynamics();
+  Mover dynamics = dense_dynamics();
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < steps; ++i) {
     dynamics.evaluate(system, {});

@@ -7,7 +7,7 @@
 #include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/suspension.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 #include "tests/support/prepared.hpp"
 
 namespace supple {
@@ -27,7 +27,7 @@ Suspension free_discs() {
   s.units = small_units;
   s.time_step = 1e-3;
   s.damping = factor;
-  s.stepper = std::make_unique<DiscDynamics>(ForceField(DiscContacts(Divergent(0), law)));
+  s.stepper = std::make_unique<Mover>(ForceField(DiscContacts(Divergent(0), law)));
   s.system.box.length = {50, 50};
   State<2>& state = s.system.state;
   state.resize(4);
@@ -131,7 +131,7 @@ void expect_closed(const MemoryRecorder& r) {
   EXPECT_EQ(opening, rows.column("total").front());
   EnergyBalance account;
   account.resume(r.last_system, opening, booked);
-  const std::unique_ptr<DiscDynamics> dynamics = testing::documented_dynamics(oscillation());
+  const std::unique_ptr<Mover> dynamics = testing::documented_dynamics(oscillation());
   dynamics->set_account(&account);
   System<2> again = r.last_system;
   dynamics->evaluate(again, {});  // what the forces of this instant lose

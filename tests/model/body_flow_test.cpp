@@ -5,6 +5,7 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
+#include "supple/model/rigid.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple {
@@ -61,7 +62,7 @@ TEST(BodyFlow, ChangeOfTheRateMovesCentresWithTheFlowAndTurnsWithItsVorticity) {
 TEST(BodyFlow, DragTakesTheMotionOfBodiesAndLeavesThatOfTheirShapes) {
   System<2> s = sheared_polygons();
   const System<2> before = s;
-  damp_bodies(s, 0.25);
+  damp(s, 0.25, Drag::bodies);
   for (int b = 0; b < s.topology.body_count(s.state.size()); ++b) {
     const BodyMotion was = body_motion(before, b), is = body_motion(s, b);
     const Vec2 u = s.box.flow_velocity(was.centre);
@@ -74,6 +75,23 @@ TEST(BodyFlow, DragTakesTheMotionOfBodiesAndLeavesThatOfTheirShapes) {
       EXPECT_NEAR(norm(own(s, is) - own(before, was)), 0, 1e-13);
     }
   }
+}
+
+TEST(BodyFlow, DragOfSitesActsOnEachRelativeToTheFlowThereAndOnRigidBodiesAsWholes) {
+  System<2> s = sheared_polygons();
+  make_rigid(s, 3);
+  s.state.mobility[2] = Mobility::fixed;
+  const System<2> before = s;
+  damp(s, 0.25, Drag::sites);
+  for (int i = 0; i < s.state.size(); ++i) {
+    if (s.topology.begin[3] <= i && i < s.topology.begin[4]) continue;
+    const Vec2 u = s.box.flow_velocity(s.state.position[i]), was = before.state.velocity[i];
+    const Vec2 expected = i == 2 ? was : u + 0.25 * (was - u);
+    EXPECT_LT(norm(s.state.velocity[i] - expected), 1e-14);
+  }
+  const Vec2 u = s.box.flow_velocity(s.rigid.centre[0]);
+  EXPECT_LT(norm(s.rigid.velocity[0] - u - 0.25 * (before.rigid.velocity[0] - u)), 1e-14);
+  EXPECT_NEAR(s.rigid.spin[0] + 0.15, 0.25 * (before.rigid.spin[0] + 0.15), 1e-15);
 }
 
 class Crossing : public ::testing::TestWithParam<bool> {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "supple/compat/particleshear/step.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 namespace {
@@ -24,9 +24,9 @@ System<2> parting_pair(double x_first) {
   return system;
 }
 
-DiscDynamics linear_springs() {
+Mover linear_springs() {
   const PairStiffness spring{1, 0, 0, 0};
-  return DiscDynamics(ForceField(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
+  return Mover(ForceField(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
 }
 
 /// A linear spring pulls with k (d - d0), at any distance: also beyond half a cell, where another image is
@@ -34,7 +34,7 @@ DiscDynamics linear_springs() {
 TEST(LinkImage, ALinkLongerThanHalfTheCellPullsOn) {
   for (const double x_first : {10.0, 100.0, 480.0}) {
     System<2> system = parting_pair(x_first);
-    DiscDynamics dynamics = linear_springs();
+    Mover dynamics = linear_springs();
     double distance = 230, last = 0, farthest = 0;
     for (int step = 0; step < 400; ++step) {
       const Evaluation<2>& e = dynamics.evaluate(system, {});

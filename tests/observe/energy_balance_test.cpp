@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 namespace {
@@ -30,7 +30,7 @@ struct Outcome {
 Outcome run(System<2> s, PairStiffness contact, double friction, double damping, ShearRates rates = {},
             Plates plates = Plates::none) {
   const DiscLaw law{contact, contact, Tensile{}, friction, Slip::clamp, LeverArm::distance};
-  DiscDynamics dynamics{ForceField(DiscContacts(Divergent(0), law))};
+  Mover dynamics{ForceField(DiscContacts(Divergent(0), law))};
   dynamics.set_plates(plates);
   EnergyBalance balance;
   dynamics.set_account(&balance);
@@ -110,7 +110,7 @@ TEST(EnergyAccount, OpensBetweenTwoSteps) {
   // An account opened while velocities lag behind closes as well as one opened at rest.
   System<2> s = colliding();
   const PairStiffness contact{100, 2, 80, 1};
-  DiscDynamics dynamics{ForceField(
+  Mover dynamics{ForceField(
       DiscContacts(Divergent(0), {contact, contact, Tensile{}, 0.3, Slip::clamp, LeverArm::distance}))};
   s.state.spin = {3, 1};
   EnergyBalance balance;

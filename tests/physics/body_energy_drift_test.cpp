@@ -5,7 +5,9 @@
 
 #include "supple/experiment/body_motion.hpp"
 #include "supple/experiment/packing.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/observe/summary.hpp"
+#include "supple/solve/mover.hpp"
+#include "supple/solve/time_step.hpp"
 
 namespace supple {
 namespace {
@@ -43,13 +45,13 @@ Packing warm_packing(const Kind& kind) {
 double drift(const Kind& kind, double step_factor) {
   Packing packing = warm_packing(kind);
   System<2>& s = packing.system;
-  BodyDynamics dynamics(*packing.field);
+  Mover dynamics(*packing.field);
   const double dt = step_factor * default_step(s, *packing.field);
   const int samples = 1000, every = static_cast<int>(steps / step_factor) / samples;
   for (int k = 0; k < samples * every / 5; ++k) dynamics.advance(s, dt);
   double sum = 0, moment = 0, mean = 0;
   for (int k = 0; k < samples; ++k) {
-    const double energy = dynamics.evaluate(s, Detail::energies).energy.stored() + kinetic_energy(s);
+    const double energy = dynamics.evaluate_energies(s).energy.stored() + kinetic_energy(s).total();
     const double from_middle = (k + 0.5) / samples - 0.5;
     mean += energy / samples;
     moment += from_middle * energy;

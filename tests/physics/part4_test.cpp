@@ -68,7 +68,7 @@ class Discs {
   System<2> system;
 
  private:
-  DiscDynamics dynamics_;
+  Mover dynamics_;
   Plates plates_;
 };
 

@@ -7,7 +7,7 @@
 #include "supple/contact/link_forces.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/observe/summary.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 #include "tests/support/polygons.hpp"
 #include "tests/support/touching.hpp"
 
@@ -103,17 +103,17 @@ System<2> cluster() {
   return system;
 }
 
-DiscDynamics rubbing(bool smooth) {
+Mover rubbing(bool smooth) {
   std::shared_ptr<BodyContacts> contacts;
   if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
   else contacts = std::make_shared<RoughContacts>(Harmonic{5});
   ForceField field = polygon_field(contacts);
   field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{0.4, 3, 0.5, 0.3}));
   field.add(std::make_shared<LinkForces>(LinkLaw{3, 0.2, 2, 0.1}));
-  return DiscDynamics(std::move(field));
+  return Mover(std::move(field));
 }
 
-void run(System<2>& s, DiscDynamics& d, int steps, double rate = 0, double damping = 1) {
+void run(System<2>& s, Mover& d, int steps, double rate = 0, double damping = 1) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {rate, rate});
     d.advance(s, {rate, rate}, 0.01, damping);
@@ -125,7 +125,7 @@ void run(System<2>& s, DiscDynamics& d, int steps, double rate = 0, double dampi
 TEST(RigidLeapfrog, FreeClustersKeepMomentumAndAngularMomentum) {
   for (const bool smooth : {false, true}) {
     System<2> system = cluster();
-    DiscDynamics dynamics = rubbing(smooth);
+    Mover dynamics = rubbing(smooth);
     run(system, dynamics, 1);
     const Momenta before = momenta(system, dynamics.evaluate(system, {}));
     const double spin = system.rigid.spin[0];
@@ -158,7 +158,7 @@ void expect_same_bits(const System<2>& a, const System<2>& b) {
 TEST(RigidLeapfrog, GoesOnFromItsStateBitForBitForAnyNumberOfThreads) {
   for (const bool smooth : {false, true}) {
     System<2> whole = sheared_cluster(), split = whole;
-    DiscDynamics a = rubbing(smooth), b = rubbing(smooth), c = rubbing(smooth);
+    Mover a = rubbing(smooth), b = rubbing(smooth), c = rubbing(smooth);
     run(whole, a, 500, 0.3, 0.999);
     run(split, b, 217, 0.3, 0.999);
     thread_count() = 2;
@@ -176,7 +176,7 @@ TEST(RigidLeapfrog, AlonePolygonsFollowTheFlowAndAreDampedTowardsIt) {
   system.box.length = {40, 40};
   add_polygon(system, {10, 30}, 3, 7, 0.2, 1, {});
   make_rigid(system, 0);
-  DiscDynamics dynamics = rubbing(false);
+  Mover dynamics = rubbing(false);
   run(system, dynamics, 100, 0.3);
   EXPECT_NEAR(system.rigid.velocity[0][0], 0.3 * 10, 1e-13);
   EXPECT_NEAR(system.rigid.spin[0], -0.15, 1e-15);
@@ -185,7 +185,7 @@ TEST(RigidLeapfrog, AlonePolygonsFollowTheFlowAndAreDampedTowardsIt) {
   system.rigid.velocity[0] = {1, 0.5};
   system.rigid.spin[0] = 0.6;
   place_sites(system);
-  damp_bodies(system, 0.25);
+  damp(system, 0.25, Drag::bodies);
   EXPECT_NEAR(system.rigid.velocity[0][0], 3 + 0.25 * (1 - 3), 1e-12);
   EXPECT_NEAR(system.rigid.velocity[0][1], 0.125, 1e-15);
   EXPECT_NEAR(system.rigid.spin[0], -0.15 + 0.25 * 0.75, 1e-15);

@@ -5,19 +5,19 @@
 #include <numbers>
 
 #include "supple/observe/summary.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 namespace {
 
 constexpr double dt = 1e-3, spin = 2 * std::numbers::pi / 10;  // a turn takes 10
 
-DiscDynamics dynamics(LeverArm arm) {
+Mover dynamics(LeverArm arm) {
   const PairStiffness s{100, 0.5, 80, 0.4};
-  return DiscDynamics(ForceField(DiscContacts(Divergent(1), {s, s, Tensile{}, 0.3, Slip::clamp, arm})));
+  return Mover(ForceField(DiscContacts(Divergent(1), {s, s, Tensile{}, 0.3, Slip::clamp, arm})));
 }
 
-void run(System<2>& s, DiscDynamics& d, int steps, double damping = 1) {
+void run(System<2>& s, Mover& d, int steps, double damping = 1) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {});
     d.advance(s, {}, dt, damping);
@@ -25,7 +25,7 @@ void run(System<2>& s, DiscDynamics& d, int steps, double damping = 1) {
 }
 
 /// A large disc amid six of two sizes, all neighbours linked, some compressed and some stretched, at rest.
-System<2> cluster(DiscDynamics& d) {
+System<2> cluster(Mover& d) {
   System<2> s;
   s.box.length = {50, 50};
   s.state.resize(7);
@@ -62,7 +62,7 @@ void rotate(System<2>& s) {
 /// Largest change of a link's elongation over a whole turn, the stretch by the rotation having settled
 /// before.
 double wound_up_in_a_turn(LeverArm arm) {
-  DiscDynamics d = dynamics(arm);
+  Mover d = dynamics(arm);
   System<2> s = cluster(d);
   rotate(s);
   run(s, d, 10000);
@@ -83,7 +83,7 @@ TEST(RotatingCluster, WindsUpNothing) {
 }
 
 TEST(RotatingCluster, KeepsRotating) {
-  DiscDynamics d = dynamics(LeverArm::distance);
+  Mover d = dynamics(LeverArm::distance);
   System<2> s = cluster(d);
   rotate(s);
   run(s, d, 10000);
@@ -107,7 +107,7 @@ TEST(RotatingCluster, RotationIsNoSlidingAtAnyDistance) {
     s.state.radius = {0.8, 1};
     s.state.mass = s.state.inertia = {1, 1};
     set_pair_state(s.pairs, 2, 0, 1, ContactState::permanent);
-    DiscDynamics d = dynamics(LeverArm::distance);
+    Mover d = dynamics(LeverArm::distance);
     d.invalidate();
     EXPECT_NEAR(d.evaluate(s, {}).pair[0].tangential, 0, 1e-14) << distance;
   }

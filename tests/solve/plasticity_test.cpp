@@ -126,7 +126,7 @@ struct Pulled {
     for (int i : {0, 6})
       field.external().tethers.push_back(
           {i, Vec2{10, 10} + 1.4 * (system.state.position[i] - Vec2{10, 10}), 100});
-    BodyDynamics dynamics(std::move(field), 2);
+    Mover dynamics(std::move(field), 2);
     if (law) dynamics.set_plasticity(*law);
     const double dt = default_step(system, dynamics.forces(), 0.3);
     run(dynamics, dt, 40);
@@ -136,7 +136,7 @@ struct Pulled {
     width_after = width();
   }
   double width() const { return system.state.position[0][0] - system.state.position[6][0]; }
-  void run(BodyDynamics& dynamics, double dt, double time) {
+  void run(Mover& dynamics, double dt, double time) {
     const double end = system.time + time;
     while (system.time < end) dynamics.advance(system, dt);
   }
@@ -156,13 +156,13 @@ TEST(Plasticity, PulledParticleKeepsItsNewShapeAndReturnsWithoutIt) {
   }
 }
 
-/// Held at every vertex the lengths follow the closed form, through BodyDynamics; released, every edge takes
+/// Held at every vertex the lengths follow the closed form, through Mover; released, every edge takes
 /// its new length.
 TEST(Plasticity, ReleasedEdgesHaveTheLengthsOfTheLaw) {
   System<2> system = stretched_square(0.5, 0, {0, 1, 0, 0});
   const double yield = 0.3, tau = 2;
   system.state.mobility.assign(4, Mobility::fixed);
-  BodyDynamics dynamics(testing::shell_field(), 2);
+  Mover dynamics(testing::shell_field(), 2);
   dynamics.set_plasticity(PlasticLaw{tau, yield});
   for (int k = 0; k < 300; ++k) dynamics.advance(system, 0.01);
   const double end = 1.5 / (1 + yield), expected = end + (1 - end) * std::exp(-(1 + yield) * 3 / tau);
@@ -180,11 +180,11 @@ TEST(Plasticity, ReleasedEdgesHaveTheLengthsOfTheLaw) {
 TEST(Plasticity, RunsGoOnFromTheStateBitForBit) {
   const PlasticLaw law{1, 0.01, 0.01, 0.01};
   System<2> system = testing::warm_shells(4);
-  BodyDynamics dynamics(testing::shell_field());
+  Mover dynamics(testing::shell_field());
   dynamics.set_plasticity(law);
   for (int k = 0; k < 100; ++k) dynamics.advance(system, 0.01);
   System<2> copy = system;
-  BodyDynamics again(testing::shell_field());
+  Mover again(testing::shell_field());
   again.set_plasticity(law);
   for (int k = 0; k < 100; ++k) {
     dynamics.advance(system, 0.01);

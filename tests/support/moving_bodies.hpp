@@ -4,7 +4,9 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/model/rigid.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/observe/summary.hpp"
+#include "supple/solve/mover.hpp"
+#include "supple/solve/time_step.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple::testing {
@@ -27,7 +29,7 @@ inline void heat(System<2>& system, double speed) {
 inline System<2> warm_shells(int bodies, int rigid = 0, double speed = 0.1) {
   System<2> system = random_polygons({.bodies = bodies, .jitter = 0});
   for (int r = 0; r < rigid; ++r) make_rigid(system, 2 * r);
-  BodyDynamics dynamics(shell_field(), 1);
+  Mover dynamics(shell_field(), 1);
   const double dt = default_step(system, dynamics.forces(), 0.3);
   for (int k = 0; k < 200; ++k) dynamics.advance(system, dt);
   heat(system, speed);
@@ -36,8 +38,8 @@ inline System<2> warm_shells(int bodies, int rigid = 0, double speed = 0.1) {
   return system;
 }
 
-inline double total_energy(BodyDynamics& dynamics, System<2>& system) {
-  return dynamics.evaluate(system, Detail::energies).energy.stored() + kinetic_energy(system);
+inline double total_energy(Mover& dynamics, System<2>& system) {
+  return dynamics.evaluate_energies(system).energy.stored() + kinetic_energy(system).total();
 }
 
 /// Angular momentum of the sites [begin, end) about the origin; with end = -1, of all from begin on.

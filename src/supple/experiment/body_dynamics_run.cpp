@@ -46,7 +46,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   System<2>& s = packing.system;
   start_clock(s, c);
   const double dt = body_time_step(c, packing, initial, conserving_step);
-  BodyDynamics dynamics(*packing.field, c.motion.damping);
+  Mover dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
   begin_packing(packing, derived_motion(c, packing, dt), recorder);
   recorder.value(protocol_group, {"dt", "", "time step; a continuation takes it over"}, dt);
@@ -60,8 +60,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
     for (std::int64_t i = 0; i < steps; ++i) {
       const bool keeps_frame = frames.due(i);
       if (keeps_frame || i % look_interval(steps) == 0) good.look();
-      if (i % per_row == 0)
-        recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+      if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate_energies(s)));
       if (keeps_frame) recorder.frame(packing_frame(packing, report_packing(packing), surroundings));
       dynamics.advance(s, dt);
       if (i % 256 == 0) recorder.progress("dynamics", i, steps);
@@ -74,7 +73,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
     throw;
   }
   recorder.progress("dynamics", steps, steps);
-  recorder.append("motion", motion_row(packing, dynamics.evaluate(s, Detail::energies)));
+  recorder.append("motion", motion_row(packing, dynamics.evaluate_energies(s)));
   record_packing(packing, {}, recorder, surroundings);
 }
 

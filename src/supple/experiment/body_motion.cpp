@@ -6,6 +6,7 @@
 
 #include "supple/core/random.hpp"
 #include "supple/model/rigid.hpp"
+#include "supple/observe/summary.hpp"
 
 namespace supple {
 
@@ -42,14 +43,14 @@ void draw_rigid_velocities(System<2>& system, double kinetic_energy, std::int64_
 
 /// Takes the mean velocity away, and gives back the energy that went with it.
 void leave_in_place(System<2>& system, double energy) {
-  const Vec2 total = momentum(system);
+  const Vec2 total = momenta(system).linear;
   double mass = 0;
   for (const double m : system.state.mass) mass += m;
   RigidBodies& r = system.rigid;
   for (Vec2& v : r.velocity) v -= (1 / mass) * total;
   for (Vec2& v : system.state.velocity) v -= (1 / mass) * total;
   place_sites(system);
-  const double left = kinetic_energy(system);
+  const double left = kinetic_energy(system).total();
   if (!(left > 1e-20 * energy))
     throw input_error("motion.kinetic_energy of one disc", "without net momentum it stays where it is",
                       "raise bodies.N, or set motion.kinetic_energy = 0");
@@ -99,10 +100,11 @@ std::vector<Column> motion_columns(const Packing& packing) {
 
 std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation) {
   const System<2>& s = packing.system;
-  const double kinetic = kinetic_energy(s), potential = evaluation.energy.stored();
+  const KineticEnergy parts = kinetic_energy(s);
+  const double kinetic = parts.total(), potential = evaluation.energy.stored();
   double height = 0;
   for (const Vec2& x : s.state.position) height += x[gradient] / s.state.size();
-  const double moving = 2 * (kinetic - spin_energy(s));
+  const double moving = 2 * parts.translation;
   const double p = 0.5 * (evaluation.virial[0][0] + evaluation.virial[1][1] + moving) / s.box.volume() /
                    packing.pressure_unit;
   return {s.time, kinetic, potential, kinetic + potential, p, height};

@@ -3,7 +3,8 @@
 #include <optional>
 
 #include "supple/experiment/packing_record.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/solve/mover.hpp"
+#include "supple/solve/time_step.hpp"
 
 namespace supple {
 

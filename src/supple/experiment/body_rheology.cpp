@@ -8,7 +8,7 @@
 #include "supple/contact/touch_friction.hpp"
 #include "supple/experiment/suspension.hpp"
 #include "supple/model/body_links.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/solve/time_step.hpp"
 
 namespace supple {
 

@@ -57,7 +57,7 @@ std::vector<Derived> consequences(const Case& c, const InitialState* initial, co
 /// It is no function of the protocol, so that one seed is one sample.
 double typical_stress(const Case& c) { return c.material.young_modulus / 100; }
 
-void prepare_documented(Suspension& s, DiscDynamics& dynamics, const Case& c, const MicrogelConstants& k,
+void prepare_documented(Suspension& s, Mover& dynamics, const Case& c, const MicrogelConstants& k,
                         Recorder& recorder) {
   recorder.declare("preparation",
                    {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
@@ -102,7 +102,7 @@ Suspension make(const Case& c, const InitialState* initial, Recorder& recorder) 
   s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
   s.material = k.material;
   auto dynamics = make_dynamics(c, k);
-  DiscDynamics& stepper = *dynamics;
+  Mover& stepper = *dynamics;
   s.stepper = std::move(dynamics);
   if (initial) {
     take_state(s, c, *initial, 1);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "supple/model/bodies.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/observe/summary.hpp"
 
 namespace supple {
 
@@ -77,7 +77,7 @@ Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2
   const State<2>& s = system.state;
   Heap h;
   h.time = system.time;
-  h.kinetic = kinetic_energy(system);
+  h.kinetic = kinetic_energy(system).total();
   h.potential = evaluation.energy.stored();
   double mass = 0;
   for (int i = 0; i < s.size(); ++i) {

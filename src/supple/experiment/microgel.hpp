@@ -11,7 +11,7 @@
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/experiment/recorder.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 
@@ -55,6 +55,6 @@ inline constexpr double step_share = 0.15;
 Plates plates_of(const Case& c);
 
 /// The stepper of the documented model, with friction and without plates so far.
-std::unique_ptr<DiscDynamics> make_dynamics(const Case& c, const MicrogelConstants& k);
+std::unique_ptr<Mover> make_dynamics(const Case& c, const MicrogelConstants& k);
 
 }  // namespace supple

@@ -8,7 +8,7 @@
 #include "supple/experiment/sound_states.hpp"
 #include "supple/model/body_links.hpp"
 #include "supple/observe/rattlers.hpp"
-#include "supple/solve/body_dynamics.hpp"
+#include "supple/observe/summary.hpp"
 
 namespace supple {
 
@@ -27,7 +27,7 @@ void add_body_stresses(Frame& frame, const Packing& packing, const PackingReport
 /// Energies of the whole by term and, where the particles fill a cell, its stress and that of the contacts.
 void add_numbers(Frame& frame, const Packing& packing, const PackingReport& r, Surroundings surroundings) {
   const EnergyParts& e = r.evaluation.energy;
-  frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system)},
+  frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system, r.evaluation).total()},
                    {"shape_energy", e.terms},
                    {"contact_energy", e.elastic},
                    {"wall_energy", e.wall},
@@ -213,7 +213,7 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   const auto number = [&](const char* name, const char* meaning, double value) {
     recorder.value("results", {name, "", meaning}, value);
   };
-  if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system));
+  if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system, r.evaluation).total());
   number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
   // Friction and links hold more than one push a contact does.

@@ -11,7 +11,7 @@ namespace supple {
 namespace {
 
 /// Velocities of the instant of the positions; the packing's own report of everything else.
-Frame sheared_frame(Packing& packing, const DiscDynamics& dynamics, double rate_now) {
+Frame sheared_frame(Packing& packing, const Mover& dynamics, double rate_now) {
   Frame frame = packing_frame(packing, report_packing(packing));
   dynamics.bring_to_instant(packing.system, rate_now, frame.velocity, frame.spin);
   frame.strain_rate = rate_now;

@@ -6,7 +6,7 @@
 #include "supple/experiment/course.hpp"
 #include "supple/experiment/energy_table.hpp"
 #include "supple/experiment/packing_record.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 
@@ -34,7 +34,7 @@ class ShearedBodies {
  private:
   Packing& packing_;
   Recorder& recorder_;
-  DiscDynamics dynamics_;
+  Mover dynamics_;
   BodyStressTable table_;
   EnergyTable energies_;
 };

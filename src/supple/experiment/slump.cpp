@@ -166,8 +166,7 @@ class MovingHeap {
   }
   /// Measures the heap and adds a row, one for each instant.
   void append() {
-    heap_ =
-        measure_heap(packing_.system, *packing_.field, dynamics_.evaluate(packing_.system, Detail::energies));
+    heap_ = measure_heap(packing_.system, *packing_.field, dynamics_.evaluate_energies(packing_.system));
     if (!std::isfinite(heap_.spread + heap_.height)) good_.look();  // throws, back at the last good state
     if (last_row_ == packing_.system.step) return;
     recorder_.append("motion", heap_row(heap_));
@@ -178,7 +177,7 @@ class MovingHeap {
   Packing packing_;
   Recorder& recorder_;
   double dt_;
-  BodyDynamics dynamics_;
+  Mover dynamics_;
   LastGood good_;
   std::int64_t per_row_ = 1, per_frame_ = 1;
   std::optional<std::int64_t> last_row_;

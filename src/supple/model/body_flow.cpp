@@ -33,18 +33,20 @@ void follow_body(System<2>& system, const std::vector<std::int32_t>& body, std::
   }
 }
 
-/// Adds a rigid motion, of velocity and spin about the centre, to that of body b.
-void add_motion(System<2>& system, int b, const Vec2& centre, const Vec2& velocity, double spin) {
+/// Adds `factor` times a rigid motion, of velocity and spin about the centre, to that of body b.
+void add_motion(System<2>& system, int b, double factor, const Vec2& centre, const Vec2& velocity,
+                double spin) {
   State<2>& s = system.state;
   if (is_one_site(system, b)) {
-    s.velocity[system.topology.body_begin(b)] += velocity;
-    s.spin[system.topology.body_begin(b)] += spin;
+    s.velocity[system.topology.body_begin(b)] += factor * velocity;
+    s.spin[system.topology.body_begin(b)] += factor * spin;
   } else if (const int r = rigid_index(system, b); r >= 0) {
-    system.rigid.velocity[r] += velocity;
-    system.rigid.spin[r] += spin;
+    system.rigid.velocity[r] += factor * velocity;
+    system.rigid.spin[r] += factor * spin;
     place_sites(system, r);
   } else {
-    for_sites(system, b, [&](int i) { s.velocity[i] += velocity + cross(spin, s.position[i] - centre); });
+    for_sites(system, b,
+              [&](int i) { s.velocity[i] += factor * (velocity + cross(spin, s.position[i] - centre)); });
   }
 }
 
@@ -97,25 +99,35 @@ void set_strain_rate(System<2>& system, double rate) {
     const Vec2 centre = centre_of_mass(system, b);
     Vec2 velocity{};
     velocity[flow] = (centre[gradient] - 0.5 * system.box.length[gradient]) * change;
-    add_motion(system, b, centre, velocity, turning);
+    add_motion(system, b, 1, centre, velocity, turning);
   }
 }
 
-void damp_bodies(System<2>& system, double factor) {
+void damp(System<2>& system, double factor, Drag drag) {
   State<2>& s = system.state;
+  RigidBodies& rigid = system.rigid;
   const double rotation = -0.5 * system.box.strain_rate;
+  const auto slow = [&](Vec2& velocity, const Vec2& at) {
+    const Vec2 u = system.box.flow_velocity(at);
+    velocity = u + factor * (velocity - u);
+  };
+  const auto turn_less = [&](double& spin) { spin = rotation + (spin - rotation) * factor; };
   for (int b = 0; b < system.topology.body_count(s.size()); ++b) {
-    const int i = system.topology.body_begin(b);
-    if (is_one_site(system, b)) {
-      s.spin[i] = rotation + (s.spin[i] - rotation) * factor;
-      if (s.mobility[i] != Mobility::free) continue;
-      const Vec2 u = system.box.flow_velocity(s.position[i]);
-      s.velocity[i] = u + factor * (s.velocity[i] - u);
-      continue;
+    if (is_one_site(system, b)) turn_less(s.spin[system.topology.body_begin(b)]);
+    if (is_one_site(system, b) || (drag == Drag::sites && rigid_index(system, b) < 0)) {
+      for_sites(system, b, [&](int i) {
+        if (s.mobility[i] == Mobility::free) slow(s.velocity[i], s.position[i]);
+      });
+    } else if (const int r = rigid_index(system, b); r >= 0) {
+      if (held(system, r)) continue;
+      slow(rigid.velocity[r], rigid.centre[r]);
+      turn_less(rigid.spin[r]);
+      place_sites(system, r);
+    } else {
+      const BodyMotion m = body_motion(system, b);
+      const Vec2 relative = m.velocity - system.box.flow_velocity(m.centre);
+      add_motion(system, b, factor - 1, m.centre, relative, m.spin - rotation);
     }
-    const BodyMotion m = body_motion(system, b);
-    const Vec2 relative = m.velocity - system.box.flow_velocity(m.centre);
-    add_motion(system, b, m.centre, (factor - 1) * relative, (factor - 1) * (m.spin - rotation));
   }
 }
 

@@ -22,9 +22,13 @@ Vec2 centre_of_mass(const System<2>& system, int body);
 /// later, by the forces.
 void set_strain_rate(System<2>& system, double rate);
 
-/// Multiplies by `factor` the velocity of each free body relative to the flow at its centre, and its angular
-/// velocity relative to that of the flow, -rate/2. The motion of its sites beyond this rigid part stays.
-void damp_bodies(System<2>& system, double factor);
+/// What a drag acts on. bodies: the motion of each as a whole, so that the motion of its sites beyond this
+/// rigid part stays; sites: each by itself. Discs and rigid bodies are wholes in either case.
+enum class Drag { bodies, sites };
+
+/// Multiplies by `factor` the velocity relative to the flow, of centres of bodies or of sites, and the
+/// angular velocity of bodies relative to that of the flow, -rate/2. What is held keeps its velocity.
+void damp(System<2>& system, double factor, Drag drag);
 
 /// Brings each body whose centre has left the cell back into it, with all its sites, their velocities, and
 /// the images of its contacts and links. Returns whether a body of a system with a topology has moved: rows

@@ -6,40 +6,9 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/model/body_flow.hpp"
 
 namespace supple {
-
-namespace {
-
-/// Where a new rigid body is and how it moves; no offsets yet.
-struct Motion {
-  Vec2 centre{}, velocity{};
-  double mass = 0, inertia = 0, spin = 0;
-};
-
-Motion motion_of(const System<2>& system, int b) {
-  const State<2>& s = system.state;
-  const int begin = system.topology.body_begin(b), end = system.topology.body_end(b);
-  Motion m;
-  // From the first site, so that a body far from the origin loses no digits.
-  for (int i = begin; i < end; ++i) {
-    m.mass += s.mass[i];
-    m.centre += s.mass[i] * (s.position[i] - s.position[begin]);
-    m.velocity += s.mass[i] * s.velocity[i];
-  }
-  m.centre = s.position[begin] + (1 / m.mass) * m.centre;
-  m.velocity *= 1 / m.mass;
-  double angular_momentum = 0;
-  for (int i = begin; i < end; ++i) {
-    const Vec2 r = s.position[i] - m.centre;
-    m.inertia += s.mass[i] * dot(r, r);
-    angular_momentum += s.mass[i] * cross(r, s.velocity[i] - m.velocity);
-  }
-  m.spin = angular_momentum / m.inertia;
-  return m;
-}
-
-}  // namespace
 
 void place_sites(System<2>& system, int r) {
   const RigidBodies& rigid = system.rigid;
@@ -70,8 +39,8 @@ void make_rigid(System<2>& system, int b) {
     throw input_error(fmt::format("body {} cannot be rigid", b), fmt::format("there are {} bodies", bodies));
   const auto place = std::lower_bound(rigid.body.begin(), rigid.body.end(), b);
   if (place != rigid.body.end() && *place == b) throw input_error(fmt::format("body {} is rigid already", b));
-  const Motion m = motion_of(system, b);
-  if (!(m.inertia > 0))
+  const BodyMotion m = body_motion(system, b);
+  if (system.topology.body_size(b) == 1 || !(m.inertia > 0))
     throw input_error(fmt::format("body {} cannot be rigid", b), "it has no extent or no mass",
                       "a disc moves as a site");
 

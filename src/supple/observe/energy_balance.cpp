@@ -6,22 +6,6 @@
 namespace supple {
 namespace {
 
-/// Kinetic energy of the velocities as they stand, half a step before or after the instant of the forces.
-double kinetic_energy_now(const System<2>& system) {
-  const State<2>& s = system.state;
-  double sum = 0;
-  for_sites_apart(system, [&](int i) {
-    if (s.mobility[i] == Mobility::free) sum += 0.5 * s.mass[i] * dot(s.velocity[i], s.velocity[i]);
-    sum += 0.5 * s.inertia[i] * s.spin[i] * s.spin[i];
-  });
-  const RigidBodies& rigid = system.rigid;
-  for (int r = 0; r < rigid.size(); ++r)
-    if (!held(system, r))
-      sum += 0.5 * (rigid.mass[r] * dot(rigid.velocity[r], rigid.velocity[r]) +
-                    rigid.inertia[r] * rigid.spin[r] * rigid.spin[r]);
-  return sum;
-}
-
 /// Work per time of all forces at the velocities as they stand.
 double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
@@ -71,7 +55,7 @@ EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluatio
 void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluation) {
   flows_ = {};
   energy_at_opening_ = energy_state(system, evaluation).total();
-  kinetic_ = kinetic_energy_now(system);
+  kinetic_ = kinetic_energy(system).total();
   // Forces of the half step and losses of the step before this instant belong to the time before.
   book_boundaries(system, evaluation, -0.5 * system.lag);
   book_losses(evaluation, -system.lag);
@@ -80,11 +64,11 @@ void EnergyBalance::open(const System<2>& system, const Evaluation<2>& evaluatio
 void EnergyBalance::resume(const System<2>& system, double energy_at_opening, const EnergyFlows& booked) {
   flows_ = booked;
   energy_at_opening_ = energy_at_opening;
-  kinetic_ = kinetic_energy_now(system);
+  kinetic_ = kinetic_energy(system).total();
 }
 
 void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>& system) {
-  const double now = kinetic_energy_now(system);
+  const double now = kinetic_energy(system).total();
   flows_.*part += sign * (now - kinetic_);
   kinetic_ = now;
 }
@@ -104,7 +88,7 @@ void EnergyBalance::meet(const System<2>& system, const Evaluation<2>& evaluatio
 }
 
 void EnergyBalance::book_contacts(const System<2>& system, const Evaluation<2>& evaluation) {
-  kinetic_ = kinetic_energy_now(system);
+  kinetic_ = kinetic_energy(system).total();
   meet(system, evaluation);
 }
 

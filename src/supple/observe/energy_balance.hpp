@@ -30,7 +30,7 @@ struct EnergyFlows {
 };
 
 /// The account of a run. The integrator books each change that it makes to the velocities
-/// (DiscDynamics::set_account), and the work of the forces at each instant for the half step before it and
+/// (Mover::set_account), and the work of the forces at each instant for the half step before it and
 /// the half step after it. Work and losses are computed without the energies, so what is left over measures
 /// the error of the time step:
 ///     residual = change of energy - work + lost.

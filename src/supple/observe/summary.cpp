@@ -12,25 +12,41 @@ RigidRates synchronised_rigid(const System<2>& system, const Evaluation<2>& eval
           rigid.spin[r] + 0.5 * system.lag / rigid.inertia[r] * on_body.torque};
 }
 
-Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
-  const State<2>& s = system.state;
-  Momenta sum;
-  for_sites_apart(system, [&](int i) {
-    const Vec2 v = synchronised_velocity(system, evaluation, i);
-    sum.linear += s.mass[i] * v;
-    sum.angular +=
-        s.mass[i] * cross(s.position[i], v) + s.inertia[i] * synchronised_spin(system, evaluation, i);
-  });
-  const RigidBodies& rigid = system.rigid;
-  for (int r = 0; r < rigid.size(); ++r) {
-    const RigidRates now = synchronised_rigid(system, evaluation, r);
-    sum.linear += rigid.mass[r] * now.velocity;
-    sum.angular += rigid.mass[r] * cross(rigid.centre[r], now.velocity) + rigid.inertia[r] * now.spin;
+namespace {
+
+/// Velocities and spins as they stand, in the form of those of an instant.
+struct AsTheyStand {
+  const System<2>& system;
+  RigidRates site(int i) const { return {system.state.velocity[i], system.state.spin[i]}; }
+  RigidRates rigid(int r) const { return {system.rigid.velocity[r], system.rigid.spin[r]}; }
+};
+struct OfTheInstant {
+  const System<2>& system;
+  const Evaluation<2>& evaluation;
+  RigidRates site(int i) const {
+    return {synchronised_velocity(system, evaluation, i), synchronised_spin(system, evaluation, i)};
   }
+  RigidRates rigid(int r) const { return synchronised_rigid(system, evaluation, r); }
+};
+
+template <class Rates>
+Momenta momenta_of(const Rates& rates) {
+  const State<2>& s = rates.system.state;
+  const RigidBodies& rigid = rates.system.rigid;
+  Momenta sum;
+  const auto add = [&](double mass, double inertia, const Vec2& at, const RigidRates& now) {
+    sum.linear += mass * now.velocity;
+    sum.angular += mass * cross(at, now.velocity) + inertia * now.spin;
+  };
+  for_sites_apart(rates.system, [&](int i) { add(s.mass[i], s.inertia[i], s.position[i], rates.site(i)); });
+  for (int r = 0; r < rigid.size(); ++r)
+    add(rigid.mass[r], rigid.inertia[r], rigid.centre[r], rates.rigid(r));
   return sum;
 }
 
-KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation) {
+template <class Rates>
+KineticEnergy kinetic_energy_of(const Rates& rates) {
+  const System<2>& system = rates.system;
   const State<2>& s = system.state;
   KineticEnergy sum;
   const auto translate = [&](double mass, const Vec2& at, const Vec2& v) {
@@ -39,20 +55,31 @@ KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evalu
     sum.peculiar += 0.5 * mass * dot(peculiar, peculiar);
   };
   for_sites_apart(system, [&](int i) {
-    const double spin = synchronised_spin(system, evaluation, i);
-    sum.spin += 0.5 * s.inertia[i] * spin * spin;
-    if (s.mobility[i] == Mobility::free)
-      translate(s.mass[i], s.position[i], synchronised_velocity(system, evaluation, i));
+    const RigidRates now = rates.site(i);
+    sum.spin += 0.5 * s.inertia[i] * now.spin * now.spin;
+    if (s.mobility[i] == Mobility::free) translate(s.mass[i], s.position[i], now.velocity);
   });
   const RigidBodies& rigid = system.rigid;
   for (int r = 0; r < rigid.size(); ++r) {
     if (held(system, r)) continue;
-    const RigidRates now = synchronised_rigid(system, evaluation, r);
+    const RigidRates now = rates.rigid(r);
     sum.spin += 0.5 * rigid.inertia[r] * now.spin * now.spin;
     translate(rigid.mass[r], rigid.centre[r], now.velocity);
   }
   return sum;
 }
+
+}  // namespace
+
+Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation) {
+  return momenta_of(OfTheInstant{system, evaluation});
+}
+Momenta momenta(const System<2>& system) { return momenta_of(AsTheyStand{system}); }
+
+KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation) {
+  return kinetic_energy_of(OfTheInstant{system, evaluation});
+}
+KineticEnergy kinetic_energy(const System<2>& system) { return kinetic_energy_of(AsTheyStand{system}); }
 
 ContactCounts contact_counts(const Evaluation<2>& evaluation) {
   ContactCounts counts;

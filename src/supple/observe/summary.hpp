@@ -30,6 +30,8 @@ struct Momenta {
   double angular = 0;
 };
 Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
+/// Of the velocities as they stand.
+Momenta momenta(const System<2>& system);
 
 /// Kinetic energies [energy]: of the translation of free sites and rigid bodies, of their translation
 /// relative to the affine flow, and of all spins (plate discs are moved from outside, but spin freely).
@@ -38,6 +40,9 @@ struct KineticEnergy {
   double total() const { return translation + spin; }
 };
 KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation);
+/// Of the velocities as they stand. The energy of spins makes no pressure: the forces that keep a turning
+/// body together cancel it.
+KineticEnergy kinetic_energy(const System<2>& system);
 
 /// Numbers of pairs by state; links count whether or not their discs touch.
 struct ContactCounts {

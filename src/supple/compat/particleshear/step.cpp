@@ -6,7 +6,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/model/row_separation.hpp"
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 namespace supple {
 namespace {

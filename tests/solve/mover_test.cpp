@@ -1,4 +1,4 @@
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,9 @@ DiscLaw law(double friction) {
   return {s, s, Tensile{}, friction, Slip::clamp, LeverArm::distance};
 }
 
-DiscDynamics dynamics(double friction = 0.3) {
-  return DiscDynamics(ForceField(DiscContacts(Divergent(1), law(friction))));
-}
+Mover dynamics(double friction = 0.3) { return Mover(ForceField(DiscContacts(Divergent(1), law(friction)))); }
 
-void run(System<2>& s, DiscDynamics& d, int steps, double rate = 0.3, double dt = 1e-3) {
+void run(System<2>& s, Mover& d, int steps, double rate = 0.3, double dt = 1e-3) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {rate, rate});
     d.advance(s, {rate, rate}, dt, 0.999);
@@ -30,9 +28,9 @@ void expect_same_bits(const System<2>& a, const System<2>& b) {
   EXPECT_EQ(a.box.strain, b.box.strain);
 }
 
-TEST(DiscDynamics, GivesTheSameBitsForOneAndTwoThreads) {
+TEST(Mover, GivesTheSameBitsForOneAndTwoThreads) {
   System<2> one = testing::random_suspension(1500, 0.9), two = one;
-  DiscDynamics a = dynamics(), b = dynamics();
+  Mover a = dynamics(), b = dynamics();
   run(one, a, 60);
   thread_count() = 2;
   run(two, b, 60);
@@ -40,18 +38,18 @@ TEST(DiscDynamics, GivesTheSameBitsForOneAndTwoThreads) {
   expect_same_bits(one, two);
 }
 
-TEST(DiscDynamics, ContinuesFromItsStateBitForBitWheneverTheListIsBuilt) {
+TEST(Mover, ContinuesFromItsStateBitForBitWheneverTheListIsBuilt) {
   System<2> whole = testing::random_suspension(200, 0.9);
   System<2> split = whole;
-  DiscDynamics a = dynamics(), b = dynamics();
+  Mover a = dynamics(), b = dynamics();
   run(whole, a, 100);
   run(split, b, 37);
-  DiscDynamics c = dynamics();  // a fresh list, built at another instant
+  Mover c = dynamics();  // a fresh list, built at another instant
   run(split, c, 63);
   expect_same_bits(whole, split);
 }
 
-TEST(DiscDynamics, PassesTheSpeedOfTwoDiscsOnInACentralCollision) {
+TEST(Mover, PassesTheSpeedOfTwoDiscsOnInACentralCollision) {
   System<2> s;
   s.box.length = {50, 50};
   s.state.resize(2);
@@ -62,7 +60,7 @@ TEST(DiscDynamics, PassesTheSpeedOfTwoDiscsOnInACentralCollision) {
   s.state.inertia = {0.5, 0.5};
   DiscLaw elastic = law(0);
   elastic.contact.eta = elastic.contact.eta_t = 0;
-  DiscDynamics d{ForceField(DiscContacts(Divergent(0), elastic))};
+  Mover d{ForceField(DiscContacts(Divergent(0), elastic))};
   for (int i = 0; i < 3000; ++i) {
     d.evaluate(s, {});
     d.advance(s, {}, 1e-3, 1);
@@ -71,9 +69,9 @@ TEST(DiscDynamics, PassesTheSpeedOfTwoDiscsOnInACentralCollision) {
   EXPECT_NEAR(s.state.velocity[1][0], 1, 1e-4);
 }
 
-TEST(DiscDynamics, NamesStepAndDiscWhenAValueIsNotFinite) {
+TEST(Mover, NamesStepAndDiscWhenAValueIsNotFinite) {
   System<2> s = testing::random_suspension(20, 0.01);  // so dilute that it cannot spoil a neighbour
-  DiscDynamics d = dynamics();
+  Mover d = dynamics();
   run(s, d, 3);
   s.state.velocity[7][0] = std::nan("");
   try {
@@ -85,10 +83,10 @@ TEST(DiscDynamics, NamesStepAndDiscWhenAValueIsNotFinite) {
 }
 
 /// The image that a link keeps counts cells in 32 bits, and a coordinate in 53.
-TEST(DiscDynamics, ADiscThatLeavesAMillionCellsBehindEndsTheRun) {
+TEST(Mover, ADiscThatLeavesAMillionCellsBehindEndsTheRun) {
   for (const double speed : {1e12, 1e40, -1e300}) {
     System<2> s = testing::random_suspension(20, 0.01);
-    DiscDynamics d = dynamics();
+    Mover d = dynamics();
     run(s, d, 3);
     s.state.velocity[7][0] = speed;
     try {
@@ -102,9 +100,9 @@ TEST(DiscDynamics, ADiscThatLeavesAMillionCellsBehindEndsTheRun) {
   }
 }
 
-TEST(DiscDynamics, DiscsThatReachAPlateStayOnIt) {
+TEST(Mover, DiscsThatReachAPlateStayOnIt) {
   System<2> s = testing::random_suspension(50, 0.9);
-  DiscDynamics d = dynamics();
+  Mover d = dynamics();
   d.set_plates(Plates::capture);
   run(s, d, 200);
   int captured = 0;

@@ -1,34 +1,34 @@
-#include "supple/solve/disc_dynamics.hpp"
+#include "supple/solve/mover.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
-#include <string>
 
 #include "supple/core/error.hpp"
-#include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 
 namespace supple {
 
 namespace {
 
-/// What is held has the velocity of what holds it: sites that are not free, and rigid bodies with such a
-/// site. Discs may turn.
+Vec2 plate_velocity(const Box<2>& box, Mobility m) {
+  Vec2 v{};
+  const double speed = 0.5 * box.strain_rate * box.length[gradient];
+  if (is_plate(m)) v[flow] = m == Mobility::upper_plate ? speed : -speed;
+  return v;
+}
+
+/// The one place of constraints: sites that are not free have the velocity of what holds them, and rigid
+/// bodies with such a site rest. Discs may turn in any case.
 void hold(System<2>& system) {
   State<2>& s = system.state;
-  const double plate_speed = 0.5 * system.box.strain_rate * system.box.length[gradient];
   for_sites_apart(system, [&](int i) {
-    switch (s.mobility[i]) {
-      case Mobility::free: break;
-      case Mobility::lower_plate: s.velocity[i] = {-plate_speed, 0}; break;
-      case Mobility::upper_plate: s.velocity[i] = {plate_speed, 0}; break;
-      case Mobility::fixed: s.velocity[i] = {}; break;
-    }
+    if (s.mobility[i] != Mobility::free) s.velocity[i] = plate_velocity(system.box, s.mobility[i]);
   });
   for (int r = 0; r < system.rigid.size(); ++r) {
-    if (held(system, r)) {
-      system.rigid.velocity[r] = {};
-      system.rigid.spin[r] = 0;
-    }
+    if (!held(system, r)) continue;
+    system.rigid.velocity[r] = {};
+    system.rigid.spin[r] = 0;
     place_sites(system, r);
   }
 }
@@ -45,14 +45,12 @@ void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
     rigid.velocity[r] += time / rigid.mass[r] * on_body.force;
     rigid.spin[r] += time / rigid.inertia[r] * on_body.torque;
   }
+  place_sites(system);
   hold(system);
 }
 
-/// Returns whether a body of many sites crossed the boundary.
-bool drift(System<2>& system, double dt) {
+void drift(System<2>& system, double dt) {
   State<2>& s = system.state;
-  system.box.strain += system.box.strain_rate * dt;
-  system.lag = dt;
   for_sites_apart(system, [&](int i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
@@ -62,16 +60,18 @@ bool drift(System<2>& system, double dt) {
     rigid.angle[r] += dt * rigid.spin[r];
     rigid.centre[r] += dt * rigid.velocity[r];
   }
+  system.box.strain += system.box.strain_rate * dt;
+  system.lag = dt;
   place_sites(system);
   double finite = 0;  // becomes NaN with the first value that is not finite
   for (int i = 0; i < s.size(); ++i) finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
-  const bool crossed = wrap_bodies(system);
   for (int i = 0; finite != 0 && i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
-      throw numerics_error(
-          "site " + std::to_string(i) + " is not finite at step " + std::to_string(system.step + 1),
-          "the time step may be too large or the law too stiff", "reduce [time] step");
-  return crossed;
+      throw numerics_error(fmt::format("site {} is not finite at step {}", i, system.step + 1),
+                           "the time step may be too large, a law too stiff, or bodies may overlap too much",
+                           "reduce [time] step");
+  system.time += dt;
+  ++system.step;
 }
 
 }  // namespace
@@ -93,20 +93,48 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
   }
 }
 
-const Evaluation<2>& DiscDynamics::evaluate(System<2>& system, ShearRates) {
-  forces_.evaluate(system, account_ ? Detail::energies : Detail::forces, evaluation_);
+void Mover::set_drag(double rate) {
+  if (!(rate >= 0))
+    throw input_error(fmt::format("a damping rate of {}", rate), "it would add energy", "give 0 or more");
+  drag_ = rate;
+}
+
+void Mover::set_plasticity(const std::optional<PlasticLaw>& law) {
+  if (law) check(*law);
+  plasticity_ = law;
+}
+
+void Mover::set_plates(Plates plates) {
+  plates_ = plates;
+  forces_.set_repulsive_plates(plates == Plates::repulsive);
+}
+
+void Mover::compute(System<2>& system, Detail detail) {
+  if (is_current_ && detail <= detail_) return;
+  forces_.evaluate(system, detail, evaluation_);
+  detail_ = detail;
   if (account_) account_->see(forces_.loss_power(system, evaluation_));
+}
+
+const Evaluation<2>& Mover::evaluate(System<2>& system, ShearRates) {
+  compute(system, account_ ? Detail::energies : Detail::forces);
   return evaluation_;
 }
 
-const Evaluation<2>& DiscDynamics::evaluate_energies(System<2>& system, ShearRates) {
-  forces_.evaluate(system, Detail::energies, evaluation_);
-  if (account_) account_->see(forces_.loss_power(system, evaluation_));
+const Evaluation<2>& Mover::evaluate_energies(System<2>& system, ShearRates) {
+  compute(system, Detail::energies);
   return evaluation_;
 }
 
-void DiscDynamics::bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
-                                    std::vector<double>& spin) const {
+/// Brings velocities, and the memory of contacts, to the instant of the forces.
+void Mover::complete(System<2>& system) {
+  const double half = 0.5 * system.lag;
+  forces_.commit(system, evaluation_);
+  kick(system, evaluation_, half);
+}
+
+void Mover::bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
+                             std::vector<double>& spin) const {
   System<2> now = system;
   now.lag = 0;
   kick(now, evaluation_, 0.5 * system.lag);
@@ -116,35 +144,51 @@ void DiscDynamics::bring_to_instant(const System<2>& system, double rate_now, st
   spin = std::move(now.state.spin);
 }
 
-void DiscDynamics::set_plates(Plates plates) {
-  plates_ = plates;
-  forces_.set_repulsive_plates(plates == Plates::repulsive);
-}
-
-void DiscDynamics::advance(System<2>& system, ShearRates rates, double dt, double damping) {
+void Mover::advance(System<2>& system, ShearRates rates, double dt, double damping) {
   const double half_before = 0.5 * system.lag, half_after = 0.5 * dt;
   if (account_) {
     account_->book_boundaries(system, evaluation_, half_before);
     account_->book_losses(evaluation_, system.lag);
     account_->meet(system, evaluation_);
   }
+  is_current_ = false;
   forces_.commit(system, evaluation_);
   set_strain_rate(system, rates.mid);
   if (account_) account_->book_at_instant(&EnergyFlows::shear_rate, 1, system, evaluation_, half_before);
   kick(system, evaluation_, half_before + half_after);
   if (account_) account_->book_contacts(system, evaluation_);
-  if (damping != 1) damp_bodies(system, damping);
+  if (damping != 1) {
+    damp(system, damping, Drag::bodies);
+    hold(system);
+  }
   if (account_) {
     account_->book_at_instant(&EnergyFlows::background, -1, system, evaluation_, -half_after);
     account_->book_boundaries(system, evaluation_, half_after);
     account_->book_losses_after(forces_.loss_power(system, evaluation_), half_after);
   }
-  if (drift(system, dt)) forces_.invalidate();  // its contacts are with other images now
+  drift(system, dt);
+  if (wrap_bodies(system)) forces_.invalidate();  // its contacts are with other images now
   if (account_) account_->book(&EnergyFlows::images, 1, system);
   capture_at_boundaries(system, plates_);
   if (account_) account_->book(&EnergyFlows::plates, 1, system);
-  system.time += dt;
-  ++system.step;
+}
+
+void Mover::advance(System<2>& system, double dt) {
+  if (system.box.strain_rate != 0)
+    throw input_error("bodies cannot move by this method in a cell that is being sheared",
+                      "their images have velocities", "shear in steps, or set the strain rate to 0");
+  evaluate(system);
+  if (system.lag > 0) complete(system);
+  const double decay = std::exp(-0.5 * drag_ * dt);
+  if (drag_ > 0) damp(system, decay, Drag::sites);
+  kick(system, evaluation_, 0.5 * dt);
+  is_current_ = false;
+  drift(system, dt);
+  if (plasticity_) supple::advance(system, *plasticity_, dt);
+  evaluate(system);
+  is_current_ = true;
+  complete(system);
+  if (drag_ > 0) damp(system, decay, Drag::sites);
 }
 
 }  // namespace supple
