@@ -66,7 +66,7 @@ Json parameters_json(const std::string& only) {
   Json sections = Json::object();
   const Case defaults = every_section();
   for_each_section(defaults, [&](std::string_view section, const auto& parameters) {
-    const std::string name = section.empty() ? "general" : std::string(section.substr(0, section.find('.')));
+    const std::string name = section.empty() ? "general" : kind_of_section(section);
     if (!only.empty() && only != name) return;
     for (const auto& field : fields<std::decay_t<decltype(parameters)>>())
       sections[name].push_back(parameter_json(

@@ -77,8 +77,9 @@ class Map {
       const Panel part = r.sites == 3 ? edges : r.multiplicity < 0 ? concave : convex;
       if (panel >= edges && panel != part) continue;
       const double factor = r.multiplicity;
-      const Felt felt = reduced(factor * contacts.law().energy(r.distance(), r.reach),
-                                factor * contacts.law().force(r.distance(), r.reach) * r.normal);
+      const Felt felt =
+          reduced(factor * contacts.laws().of(r.species).energy(r.distance(), r.reach),
+                  factor * contacts.laws().of(r.species).force(r.distance(), r.reach) * r.normal);
       sum.energy += felt.energy;
       sum.force += felt.force;
     }

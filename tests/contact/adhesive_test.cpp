@@ -64,7 +64,7 @@ TEST(AdhesiveLaw, FastLoopsEqualTheirRecords) {
     field.evaluate(system, Detail::energies, fast);
     slow.force.resize(fast.force.size());
     slow.torque.resize(fast.force.size());
-    evaluate_conservative(contacts->records(system), contacts->law(), slow);
+    evaluate_conservative(contacts->records(system), contacts->laws(), slow);
     EXPECT_NEAR(fast.energy.elastic, slow.energy.elastic, 1e-12);
     for (std::size_t i = 0; i < fast.force.size(); ++i) EXPECT_LT(norm(fast.force[i] - slow.force[i]), 1e-12);
     EXPECT_NEAR(fast.virial[0][1], slow.virial[0][1], 1e-12);
@@ -214,7 +214,7 @@ TEST(AdhesiveLaw, NormalOfATouchPointsOutwardAlsoWhereItPulls) {
     Evaluation<2> out;
     field.evaluate(t.system, Detail::energies, out);
     EXPECT_EQ(out.force.back()[0] < -1, height < 1.2);
-    const auto contacts = site_contacts(t.system, t.contacts->records(t.system), t.contacts->law());
+    const auto contacts = site_contacts(t.system, t.contacts->records(t.system), t.contacts->laws());
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].normal_force(), 100 * (1.2 - height), 1e-9);
     // It would take energy to open, either way; a contact that only pushes leaves its body free.

@@ -145,7 +145,7 @@ void expect_all_images_of_bodies(const Vec2& length) {
       contacts.evaluate(system, Detail::forces, got);
       in_the_open.evaluate(open, Detail::forces, right);
       largest = std::max(largest, expect_same_forces(got, right, name(system)));
-      evaluate_conservative(contacts.records(system), contacts.law(), records);
+      evaluate_conservative(contacts.records(system), contacts.laws(), records);
       expect_same_forces(records, right, name(system) + ", records");
     }
   EXPECT_GT(largest, 0.1);

@@ -28,7 +28,7 @@ TEST(RoughContacts, FastLoopEqualsItsRecords) {
   slow.torque.resize(fast.force.size());
   const auto records = contacts->records(system);
   ASSERT_GT(records.size(), 20u);
-  evaluate_conservative(records, contacts->law(), slow);
+  evaluate_conservative(records, contacts->laws(), slow);
   EXPECT_NEAR(fast.energy.elastic, slow.energy.elastic, 1e-14 * slow.energy.elastic);
   for (std::size_t i = 0; i < fast.force.size(); ++i) EXPECT_LT(norm(fast.force[i] - slow.force[i]), 1e-13);
   EXPECT_NEAR(fast.virial[0][1], slow.virial[0][1], 1e-13);

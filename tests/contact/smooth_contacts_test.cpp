@@ -49,7 +49,7 @@ TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {
   slow.torque.resize(fast.force.size());
   const auto records = contacts->records(system);
   ASSERT_GT(records.size(), 100u);
-  evaluate_conservative(records, contacts->law(), slow);
+  evaluate_conservative(records, contacts->laws(), slow);
   EXPECT_NEAR(fast.energy.elastic, slow.energy.elastic, 1e-13 * slow.energy.elastic);
   for (std::size_t i = 0; i < fast.force.size(); ++i) EXPECT_LT(norm(fast.force[i] - slow.force[i]), 1e-13);
   for (int c = 0; c < 2; ++c)
@@ -57,7 +57,7 @@ TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {
 
   double energy = 0;
   std::size_t summed = 0, most = 0;
-  for (const BodyTouch& touch : sum_touches(system, records, contacts->law())) {
+  for (const BodyTouch& touch : sum_touches(system, records, contacts->laws())) {
     energy += touch.energy;
     summed += touch.records;
     most = std::max<std::size_t>(most, touch.records);

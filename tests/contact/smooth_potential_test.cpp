@@ -126,7 +126,7 @@ TEST(SmoothContacts, OneTouchPerVertexAndBody) {
   const Vec2 force = probe.force(corner);
   const auto records = probe.contacts().records(probe.system());
   ASSERT_EQ(records.size(), 3u);
-  const auto touches = sum_touches(probe.system(), records, probe.contacts().law());
+  const auto touches = sum_touches(probe.system(), records, probe.contacts().laws());
   ASSERT_EQ(touches.size(), 1u);
   EXPECT_EQ(touches[0].site, 6);
   EXPECT_EQ(touches[0].body, 0);

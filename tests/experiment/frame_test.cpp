@@ -38,7 +38,7 @@ TEST(Frame, OfPolygons) {
   ForceField field(std::make_shared<RoughContacts>(Harmonic{3, true}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->law());
+  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   EXPECT_EQ(frame.step, 7);
   EXPECT_EQ(frame.time, 0.5);
   EXPECT_EQ(frame.strain, system.box.strain);
@@ -63,7 +63,7 @@ TEST(Frame, RowsOfSmoothContactsAscend) {
   ForceField field(std::make_shared<SmoothContacts>(Harmonic{}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->law());
+  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_GT(frame.contacts.size(), 9u);
   expect_ascending(frame.contacts);
 }
@@ -78,7 +78,7 @@ TEST(Frame, CornersHeadOnAreOneRow) {
   ForceField field(std::make_shared<SmoothContacts>(Harmonic{3, false}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->law());
+  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_EQ(frame.contacts.size(), 1u);
   EXPECT_EQ(frame.contacts[0].first, 2);
   EXPECT_EQ(frame.contacts[0].second, 4);

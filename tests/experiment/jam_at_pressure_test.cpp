@@ -60,10 +60,10 @@ TEST(JamAtPressure, LeavesAPackingToGoOnFromWhereItFails) {
 TEST(JamAtPressure, AnInterruptedRunKeepsNothingOfSoftContacts) {
   const Case c = pressed("shell", 1e-5, 1);
   Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
-  const double stiffness = packing.field->bodies()->law().scale().stiffness;
+  const double stiffness = packing.field->bodies()->laws().common().scale().stiffness;
   int soft = 0;
   const auto until_soft = [&](const JamProgress& p) {
-    if (packing.field->bodies()->law().scale().stiffness < stiffness) {
+    if (packing.field->bodies()->laws().common().scale().stiffness < stiffness) {
       ++soft;
       EXPECT_FALSE(p.settled);
     }
@@ -71,7 +71,7 @@ TEST(JamAtPressure, AnInterruptedRunKeepsNothingOfSoftContacts) {
   };
   EXPECT_THROW(jam(packing, jam_spec(c), until_soft), Error);
   EXPECT_EQ(soft, 1);
-  EXPECT_EQ(packing.field->bodies()->law().scale().stiffness, stiffness);
+  EXPECT_EQ(packing.field->bodies()->laws().common().scale().stiffness, stiffness);
   // Nearly a thousand times more if it were the state of contacts of a thousandth.
   EXPECT_LT(observe(packing).contact_pressure, 30 * c.jamming.pressure);
 }

@@ -92,9 +92,9 @@ TEST_P(JammingOf, ReachesTheWindowAtConstantPressure) {
     c.jamming.search = "pressure";
     c.jamming.pressure_kind = kind;
     Packing packing = make_packing(c, nullptr, 0.4);
-    const double stiffness = packing.field->bodies()->law().scale().stiffness;
+    const double stiffness = packing.field->bodies()->laws().common().scale().stiffness;
     const JamProgress end = jam(packing, jam_spec(c));
-    EXPECT_EQ(packing.field->bodies()->law().scale().stiffness, stiffness);
+    EXPECT_EQ(packing.field->bodies()->laws().common().scale().stiffness, stiffness);
     EXPECT_TRUE(end.last.converged);
     EXPECT_EQ(end.unconverged, 0);
     const PackingState s = observe(packing);

@@ -47,6 +47,7 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
     EXPECT_EQ(a.terms[k].width, b.terms[k].width);
     EXPECT_TRUE(same_bits(a.terms[k].number, b.terms[k].number));
   }
+  EXPECT_EQ(a.species, b.species);
   EXPECT_EQ(a.rigid.body, b.rigid.body);
   EXPECT_TRUE(same_bits(a.rigid.centre, b.rigid.centre));
   EXPECT_TRUE(same_bits(a.rigid.velocity, b.rigid.velocity));

@@ -25,7 +25,7 @@ struct Found {
 Found find(System<2>& system, std::span<const SiteForce<2>> wall = {}) {
   NeighborList<2>().update(system);
   RoughContacts rough(Harmonic{});
-  Found found{site_contacts(system, rough.records(system), rough.law()), {}};
+  Found found{site_contacts(system, rough.records(system), rough.laws()), {}};
   found.network = contact_network(system, found.contacts, wall);
   return found;
 }
@@ -140,7 +140,7 @@ TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
   }
   NeighborList<2>(default_skin, Meeting::facets).update(system);
   SmoothContacts smooth(Harmonic{});
-  const auto contacts = site_contacts(system, smooth.records(system), smooth.law());
+  const auto contacts = site_contacts(system, smooth.records(system), smooth.laws());
   ASSERT_EQ(contacts.size(), 2u);
   for (const SiteContact& c : contacts) {
     EXPECT_EQ(c.site, c.body == 0 ? 2 : 4);
@@ -168,17 +168,17 @@ TEST(ContactNetwork, ACornerThatIsTakenBackIsNoOverlap) {
   const auto records = smooth.records(system);
   ASSERT_THAT(records, Contains(Field(&ContactRecord<2>::multiplicity, Lt(0))));
   const double tip = 1 - 0.15 / std::sqrt(2) / 0.2, notch = 1 - 0.15 / 0.2;  // the notch also feels the tip
-  EXPECT_NEAR(mean_overlap(system, records, smooth.law()), (tip + notch) / 2, 1e-12);
+  EXPECT_NEAR(mean_overlap(system, records, smooth.laws()), (tip + notch) / 2, 1e-12);
 }
 
 TEST(ContactNetwork, DepthOfContactsOfDiscs) {
   System<2> system = discs(10, {{1, 1}, {1.9, 1}, {5, 5}, {5.7, 5}});
   NeighborList<2>().update(system);
   RoughContacts rough(Harmonic{});
-  EXPECT_NEAR(mean_overlap(system, rough.records(system), rough.law()), 0.2, 1e-12);
+  EXPECT_NEAR(mean_overlap(system, rough.records(system), rough.laws()), 0.2, 1e-12);
   system.state.position[2] = {8, 8};
   system.state.position[1] = {3, 1};
-  EXPECT_EQ(mean_overlap(system, rough.records(system), rough.law()), 0);
+  EXPECT_EQ(mean_overlap(system, rough.records(system), rough.laws()), 0);
 }
 
 TEST(ContactNetwork, WallsAreNeighbours) {

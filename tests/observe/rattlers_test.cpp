@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 
 std::vector<SiteContact> touching(System<2>& system, BodyContacts&& contacts) {
   NeighborList<2>(default_skin, contacts.meeting()).update(system);
-  return site_contacts(system, contacts.records(system), contacts.law());
+  return site_contacts(system, contacts.records(system), contacts.laws());
 }
 
 std::vector<std::uint8_t> rattlers(System<2>& system, const OutsideForces& outside = {}) {

@@ -42,18 +42,26 @@ class Curvature {
 
 }  // namespace
 
+void BodyContacts::update_species(const System<2>& system) {
+  species_.clear();
+  if (system.species.empty()) return;
+  species_ = bodies_of_sites(system.topology, system.state.size());
+  for (std::int32_t& of_site : species_) of_site = system.species_of(of_site);
+}
+
 void BodyContacts::add_hessian(const System<2>& system, HessianBlocks<2>& blocks) {
   for (const ContactRecord<2>& record : records(system)) {
     const bool edge = record.sites == 3;
     const std::vector<Vec2>& x = system.state.position;
-    const Curvature curvature(record, law_, edge ? norm(x[record.site[2]] - x[record.site[1]]) : 0);
+    const Curvature curvature(record, laws_.of(record.species),
+                              edge ? norm(x[record.site[2]] - x[record.site[1]]) : 0);
     for (int a = 0; a < record.sites; ++a)
       for (int b = 0; b <= a; ++b) blocks.push_back({record.site[a], record.site[b], curvature.block(a, b)});
   }
 }
 
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                   const BodyLaw& law) {
+                                   const ContactLaws& laws) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<BodyTouch> touches;
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(records.size()); ++k) {
@@ -63,6 +71,7 @@ std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<Co
       touches.push_back({record.site[at], body[record.site[other]], {}, 0, {}, k, 0});
     }
     BodyTouch& touch = touches.back();
+    const BodyLaw& law = laws.of(record.species);
     touch.force += record.multiplicity * law.force(record.distance(), record.reach) * record.normal;
     touch.energy += record.multiplicity * law.energy(record.distance(), record.reach);
     touch.outward += record.multiplicity * record.normal;
@@ -71,9 +80,10 @@ std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<Co
   return touches;
 }
 
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const ContactLaws& laws,
                            Evaluation<2>& out) {
   for (const ContactRecord<2>& record : records) {
+    const BodyLaw& law = laws.of(record.species);
     const double distance = record.distance();
     const Vec2 force = record.multiplicity * law.force(distance, record.reach) * record.normal;
     scatter(record, force, out.force, out.torque);

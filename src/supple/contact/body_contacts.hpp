@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "supple/contact/laws/body.hpp"
+#include "supple/contact/laws/table.hpp"
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/model/evaluation.hpp"
@@ -28,12 +28,14 @@ struct BodyTouch {
 /// forces. The pair table must be up to date (NeighborList::update with meeting()).
 class BodyContacts {
  public:
-  explicit BodyContacts(const BodyLaw& law) : law_(law) {}
+  explicit BodyContacts(const ContactLaws& laws) : laws_(laws), range_(widest_range(laws)) {}
   virtual ~BodyContacts() = default;
 
-  const BodyLaw& law() const { return law_; }
-  /// Replaces the law by one of the same range, which the neighbour list relies on.
-  void set_law(const BodyLaw& law) { law_ = law; }
+  const ContactLaws& laws() const { return laws_; }
+  /// Replaces the laws by others of the same ranges, which the neighbour list relies on.
+  void set_laws(const ContactLaws& laws) { laws_ = laws; }
+  /// How far contacts reach (widest_range).
+  double range() const { return range_; }
   /// What the neighbour list must look for: sites, or sites and facets.
   virtual Meeting meeting() const = 0;
   /// Factor on the law's energy and force for contacts of a site on this ring.
@@ -48,17 +50,46 @@ class BodyContacts {
   /// (SmoothContacts); 0 for rough contacts.
   virtual int feature_violations() const { return 0; }
 
+ protected:
+  /// Makes the species of the sites known to what follows.
+  void update_species(const System<2>& system);
+  /// Of the bodies of two sites.
+  std::array<std::int32_t, 2> species_of(std::int32_t i, std::int32_t j) const {
+    return species_.empty() ? std::array<std::int32_t, 2>{} : std::array{species_[i], species_[j]};
+  }
+  const BodyLaw& law_of(std::int32_t i, std::int32_t j) const { return laws_.of(species_of(i, j)); }
+  /// The law of each pair of sites, looked up.
+  struct EachPair {
+    const BodyContacts& contacts;
+    const BodyLaw& of(std::int32_t i, std::int32_t j) const { return contacts.law_of(i, j); }
+  };
+  /// Calls visitor(laws): laws.of(i, j) is the law of the contacts of two sites. Where one law holds for all
+  /// it has its own type there.
+  template <class Visit>
+  void visit_laws(const Visit& visitor) const {
+    if (!laws_.is_uniform()) return visitor(EachPair{*this});
+    laws_.common().visit([&](const auto& law) { visitor(OneForAll<std::decay_t<decltype(law)>>{law}); });
+  }
+
  private:
-  BodyLaw law_;
+  template <class Law>
+  struct OneForAll {
+    Law law;
+    const Law& of(std::int32_t, std::int32_t) const { return law; }
+  };
+
+  ContactLaws laws_;
+  double range_;
+  std::vector<std::int32_t> species_;  ///< of each site; empty: all are of the first
 };
 
 /// Sums the records of each contact. A rough contact of two vertices is one touch, and so is a smooth one of
 /// a vertex with a boundary.
 std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                   const BodyLaw& law);
+                                   const ContactLaws& laws);
 
 /// Adds forces, energy.elastic and the virial of the records: the reference for every evaluate().
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
+void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const ContactLaws& laws,
                            Evaluation<2>& out);
 
 }  // namespace supple

@@ -32,21 +32,23 @@ void LinkForces::evaluate(const System<2>& system, double dt, Detail detail, Eva
     fill(frame_, system, link, now);
     if (dt > 0) fill(earlier_, system, link, then);
     const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
+    const LinkLaw& law =
+        laws_.of(system.species_of(body_[link.first]), system.species_of(body_[link.second]));
     const Vec2 v = moved.velocity(then), n = frame_.normal;
     const double v_n = dot(v, moved.normal), v_t = dot(v, turned_left(moved.normal)), d = norm(frame_.branch);
 
-    const TangentialResponse r = bonded(link.elongation, v_t, dt, law_.k_t, law_.eta_t);
-    const double elastic = law_.force(d, link.rest), viscous = -law_.eta * v_n, central = elastic + viscous;
+    const TangentialResponse r = bonded(link.elongation, v_t, dt, law.k_t, law.eta_t);
+    const double elastic = law.force(d, link.rest), viscous = -law.eta * v_n, central = elastic + viscous;
     out.trial_link.push_back(r.elongation);
     const Mat2 before = out.virial;
     frame_.scatter(central * n - r.force * turned_left(n), system.state, out);
     out.link_force.push_back({elastic, viscous, r.force, out.virial + -1.0 * before});
 
-    if (detail == Detail::energies) lossy_.push_back({frame_, viscous, r.force - law_.k_t * r.elongation, 0});
-    const TangentialBooks books = book(r, link.elongation, v_t, dt, law_.k_t, law_.eta_t, Slip::clamp);
-    out.energy.elastic += law_.energy(d, link.rest);
+    if (detail == Detail::energies) lossy_.push_back({frame_, viscous, r.force - law.k_t * r.elongation, 0});
+    const TangentialBooks books = book(r, link.elongation, v_t, dt, law.k_t, law.eta_t, Slip::clamp);
+    out.energy.elastic += law.energy(d, link.rest);
     out.energy.tangential += books.energy;
-    out.energy.viscous_power += law_.eta * v_n * v_n;
+    out.energy.viscous_power += law.eta * v_n * v_n;
     out.energy.tangential_viscous_power += books.viscous_power;
   }
 }

@@ -1,6 +1,7 @@
 /// Permanent links between bodies of many sites.
 #pragma once
 #include "supple/contact/interaction.hpp"
+#include "supple/contact/laws/table.hpp"
 #include "supple/contact/laws/touch.hpp"
 #include "supple/contact/touch_frame.hpp"
 
@@ -12,18 +13,17 @@ namespace supple {
 /// TouchFriction. Linked sites have no other contact (LinkedTouches).
 class LinkForces final : public Interaction {
  public:
-  explicit LinkForces(const LinkLaw& law) : law_(law) {}
+  explicit LinkForces(const LawTable<LinkLaw>& laws) : laws_(laws) {}
 
-  const LinkLaw& law() const { return law_; }
+  const LawTable<LinkLaw>& laws() const { return laws_; }
   LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
-  void set_law(const LinkLaw& law) { law_ = law; }
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
   void commit(System<2>& system, Evaluation<2>& evaluation) override;
 
  private:
   void fill(TouchFrame& frame, const System<2>& system, const Link& link, const Instant& at) const;
 
-  LinkLaw law_;
+  LawTable<LinkLaw> laws_;
   std::vector<LossyTouch> lossy_;   ///< of the last evaluation with energies
   std::vector<std::int32_t> body_;  ///< of each site
   TouchFrame frame_, earlier_;      ///< at present, and at the instant of the velocities

@@ -35,9 +35,10 @@ struct ContactRecord {
   /// Records with the same number, one after the other, are one contact: their sum counts as one and has one
   /// friction. -1: a contact by itself.
   std::int32_t touch = -1;
-  std::int32_t row = -1;  ///< of the pair table, where the contact is remembered
-  std::int32_t up = 0;    ///< `cells` along the gradient
-  bool crosses = false;   ///< whether the contact is with a periodic image
+  std::array<std::int32_t, 2> species{};  ///< of the two bodies, which decide on the law (LawTable)
+  std::int32_t row = -1;                  ///< of the pair table, where the contact is remembered
+  std::int32_t up = 0;                    ///< `cells` along the gradient
+  bool crosses = false;                   ///< whether the contact is with a periodic image
   /// Cells between the sites as they stand: subtract their lattice vector from the positions of positive
   /// weight less those of negative weight.
   std::array<std::int32_t, Dim> cells{};

@@ -18,19 +18,20 @@ struct RoughContacts::Sum {
 };
 
 /// visit(row, push) for each row of [begin, end) that touches, in order; push: the force on the second site.
-template <bool energies, bool links, class Law, class Visit>
-void RoughContacts::for_touching(const System<2>& system, const Law& law_here, int begin, int end, Sum& sum,
+template <bool energies, bool links, class Laws, class Visit>
+void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here, int begin, int end, Sum& sum,
                                  const Visit& visit) const {
   const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(),
                      *image = images_.index().data();
   const Vec2 *position = system.state.position.data(), *shifts = shifts_.data();
   const double* radius = system.state.radius.data();
-  const double square_range = law_here.range() * law_here.range();
   for (int row = begin; row < end; ++row) {
     const std::int32_t i = first[row], j = second[row];
     const Vec2 shift = shifts[image[row]];
     Vec2 r{position[j][0] - position[i][0] - shift[0], position[j][1] - position[i][1] - shift[1]};
     const double sigma = radius[i] + radius[j], square = dot(r, r);
+    const auto& law_here = laws_here.of(i, j);
+    const double square_range = law_here.range() * law_here.range();
     // Measured: a batch that need not guess whether rows touch gains nothing, as gathering it costs as much.
     if (!(square < square_range * (sigma * sigma))) continue;
     if constexpr (links)
@@ -46,8 +47,8 @@ void RoughContacts::for_touching(const System<2>& system, const Law& law_here, i
   }
 }
 
-template <bool energies, bool links, class Law>
-RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Law& law_here, Evaluation<2>& out) {
+template <bool energies, bool links, class Laws>
+RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out) {
   const PairTable& pairs = system.pairs;
   const int sites = system.state.size();
   const bool serial = runs_in_place(sites);
@@ -61,8 +62,8 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Law& la
     };
     const auto keep = [&](int row, const Vec2& push) { push_[row] = push; };
     if (serial)
-      for_touching<energies, links>(system, law_here, pairs.begin[begin], pairs.begin[end], sum, scatter);
-    else for_touching<energies, links>(system, law_here, pairs.begin[begin], pairs.begin[end], sum, keep);
+      for_touching<energies, links>(system, laws, pairs.begin[begin], pairs.begin[end], sum, scatter);
+    else for_touching<energies, links>(system, laws, pairs.begin[begin], pairs.begin[end], sum, keep);
     return sum;
   });
   if (!serial) gather(pairs, sites, out);
@@ -92,14 +93,15 @@ void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<
   images_.update(system);
   linked_.update(system, meeting());
   shifts_ = images_.shifts(system.box);
-  law().visit([&](const auto law_here) {
+  if (!laws().is_uniform()) update_species(system);
+  visit_laws([&](const auto laws_here) {
     if (detail == Detail::forces) {
-      if (linked_.empty()) add_all<false, false>(system, law_here, out);
-      else add_all<false, true>(system, law_here, out);
+      if (linked_.empty()) add_all<false, false>(system, laws_here, out);
+      else add_all<false, true>(system, laws_here, out);
       return;
     }
-    const Sum sum = linked_.empty() ? add_all<true, false>(system, law_here, out)
-                                    : add_all<true, true>(system, law_here, out);
+    const Sum sum = linked_.empty() ? add_all<true, false>(system, laws_here, out)
+                                    : add_all<true, true>(system, laws_here, out);
     out.energy.elastic += sum.energy;
     out.virial += sum.virial;
   });
@@ -108,6 +110,7 @@ void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<
 std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
   images_.update(system);
   linked_.update(system, meeting());
+  update_species(system);
   const std::vector<Vec2>& shifts = images_.shifts(system.box);
   const State<2>& state = system.state;
   std::vector<ContactRecord<2>> records;
@@ -115,12 +118,13 @@ std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
     const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
     const Vec2 r = state.position[j] - state.position[i] - shifts[images_.index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < law().range() * sigma) || is_linked(system, row)) continue;
+    if (!(distance < law_of(i, j).range() * sigma) || is_linked(system, row)) continue;
     ContactRecord<2> record;
     record.normal = distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j);
     record.branch = r;
     record.reach = sigma;
     record.gap = distance - sigma;
+    record.species = species_of(i, j);
     record.row = row;
     record.set_cells(images_.cells()[images_.index()[row]]);
     record.add(i, -1);

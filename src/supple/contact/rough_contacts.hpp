@@ -19,11 +19,11 @@ class RoughContacts final : public BodyContacts {
 
  private:
   struct Sum;
-  template <bool energies, bool links, class Law, class Visit>
-  void for_touching(const System<2>& system, const Law& law, int begin, int end, Sum& sum,
+  template <bool energies, bool links, class Laws, class Visit>
+  void for_touching(const System<2>& system, const Laws& laws, int begin, int end, Sum& sum,
                     const Visit& visit) const;
-  template <bool energies, bool links, class Law>
-  Sum add_all(const System<2>& system, const Law& law, Evaluation<2>& out);
+  template <bool energies, bool links, class Laws>
+  Sum add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out);
   void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
   bool is_linked(const System<2>& system, int row) const;

@@ -61,7 +61,7 @@ struct Scene {
   const System<2>& system;
   const std::vector<EdgeCandidate>& candidates;
   const std::vector<Vec2>& shifts;
-  double range;  ///< of the law, over sigma
+  double range;  ///< of the law that reaches farthest, over sigma
 
   Vec2 vertex(std::int32_t k) const { return system.state.position[k]; }
   Vec2 point(const EdgeCandidate& c) const { return vertex(c.site) + shifts[c.image]; }
@@ -71,6 +71,7 @@ struct Scene {
   double sigma(const EdgeCandidate& c) const {
     return system.state.radius[c.site] + system.state.radius[c.start];
   }
+  /// Beyond it nothing acts.
   double limit(const EdgeCandidate& c) const { return range * sigma(c); }
 };
 
@@ -141,8 +142,8 @@ Inside find_inside(const Scene& scene, std::int32_t begin, std::int32_t end) {
 
 /// visit(candidate, part, touch, sigma, sign) for each part that acts, in order; close(arcs) behind the last
 /// one of each group that met something: the Euler number of what is within sigma.
-template <class Visit, class Close>
-inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
+template <class Laws, class Visit, class Close>
+inline void walk(const Scene& scene, const Laws& laws, const std::vector<std::int32_t>& selected,
                  const std::vector<std::int32_t>& group_begin, const Visit& visit, const Close& close) {
   const EdgeCandidate* last = nullptr;
   int arcs = 0;
@@ -165,7 +166,7 @@ inline void walk(const Scene& scene, const std::vector<std::int32_t>& selected,
     last = &c;
     const auto at = scene.place(c);
     const double sigma = scene.sigma(c);
-    const auto parts = parts_of(at, scene.limit(c));
+    const auto parts = parts_of(at, laws.of(c.site, c.start).range() * sigma);
     if (parts.act()) {
       const Part first = parts.faces_edge ? Part::edge : Part::corner;
       visit(c, first, foot_on(at, c, first), sigma, parts.faces_edge ? 1 : parts.corner());
@@ -187,15 +188,15 @@ struct SmoothContacts::Sum {
 };
 
 /// meet(row, i, j, r, distance, sigma) for each pair of discs that touch; r from i to j.
-template <class Meet>
-void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
+template <class Laws, class Meet>
+void SmoothContacts::walk_discs(const System<2>& system, const Laws& laws, const Meet& meet) {
   const State<2>& state = system.state;
   const std::vector<Vec2>& shifts = candidates_.images().shifts(system.box);
   for (const std::int32_t row : candidates_.disc_rows()) {
     const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
     const Vec2 r = state.position[j] - state.position[i] - shifts[candidates_.images().index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < law().range() * sigma)) continue;
+    if (!(distance < laws.of(i, j).range() * sigma)) continue;
     if (!linked_.empty() &&
         linked_.contains(touch_key(j, TouchOn::body, body_[i], candidates_.cells_of_row(row))))
       continue;
@@ -205,7 +206,7 @@ void SmoothContacts::walk_discs(const System<2>& system, const Meet& meet) {
 
 /// Selects the candidates that matter now, without the contacts of linked pairs.
 void SmoothContacts::select_acting(const System<2>& system) {
-  select({system, candidates_.all(), candidates_.shifts(system.box), law().range()}, selected_);
+  select({system, candidates_.all(), candidates_.shifts(system.box), range()}, selected_);
   if (linked_.empty()) return;
   std::erase_if(selected_, [&](std::int32_t k) {
     const EdgeCandidate& c = candidates_.all()[k];
@@ -214,15 +215,17 @@ void SmoothContacts::select_acting(const System<2>& system) {
 }
 
 void SmoothContacts::update(const System<2>& system) {
-  candidates_.update(system, law().range());
+  candidates_.update(system, range());
   linked_.update(system, meeting());
   if (!linked_.empty()) body_ = bodies_of_sites(system.topology, system.state.size());
 }
 
-template <bool energies, class Law>
-void SmoothContacts::add_all(const System<2>& system, const Law& law_here, Evaluation<2>& out, Sum& sum) {
+template <bool energies, class Laws>
+void SmoothContacts::add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out, Sum& sum) {
   Vec2* force = out.force.data();
-  const auto push_off = [&](std::int32_t site, const Foot& touch, double sigma, double factor) {
+  const auto push_off = [&](std::int32_t site, std::int32_t other, const Foot& touch, double sigma,
+                            double factor) {
+    const auto& law_here = laws.of(site, other);
     const Vec2 push = (factor * law_here.force(touch.distance, sigma)) * touch.normal;
     force[site] += push;
     if constexpr (energies) {
@@ -231,15 +234,17 @@ void SmoothContacts::add_all(const System<2>& system, const Law& law_here, Evalu
     }
     return push;
   };
-  walk_discs(system, [&](std::int32_t, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
-    force[i] -= push_off(j, touch, sigma, 1);
-  });
+  walk_discs(system, laws,
+             [&](std::int32_t, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
+               force[i] -= push_off(j, i, touch, sigma, 1);
+             });
   select_acting(system);
-  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), law().range()};
+  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), range()};
   walk(
-      scene, selected_, candidates_.group_begin(),
+      scene, laws, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part, const Foot& touch, double sigma, int sign) {
-        const Vec2 push = push_off(c.site, touch, sigma, sign * c.scale), at_end = touch.along * push;
+        const Vec2 push = push_off(c.site, c.start, touch, sigma, sign * c.scale),
+                   at_end = touch.along * push;
         force[c.start] -= push - at_end;
         force[c.end] -= at_end;
       },
@@ -248,11 +253,12 @@ void SmoothContacts::add_all(const System<2>& system, const Law& law_here, Evalu
 
 void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
   update(system);
+  if (!laws().is_uniform()) update_species(system);
   violations_ = 0;
   Sum sum;
-  law().visit([&](const auto law_here) {
-    if (detail == Detail::forces) add_all<false>(system, law_here, out, sum);
-    else add_all<true>(system, law_here, out, sum);
+  visit_laws([&](const auto laws_here) {
+    if (detail == Detail::forces) add_all<false>(system, laws_here, out, sum);
+    else add_all<true>(system, laws_here, out, sum);
   });
   if (detail == Detail::forces) return;
   out.energy.elastic += sum.energy;
@@ -261,6 +267,8 @@ void SmoothContacts::evaluate(const System<2>& system, Detail detail, Evaluation
 
 std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
   update(system);
+  update_species(system);
+  const EachPair laws{*this};
   std::vector<ContactRecord<2>> records;
   std::int32_t touches = 0;
   const auto begin = [&](const Foot& touch, double sigma, double factor,
@@ -275,19 +283,22 @@ std::vector<ContactRecord<2>> SmoothContacts::records(const System<2>& system) {
     record.touch = touches;
     return record;
   };
-  walk_discs(system, [&](std::int32_t row, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
-    ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
-    record.row = row;
-    record.add(i, -1);
-    record.add(j, +1);
-    ++touches;
-  });
+  walk_discs(system, laws,
+             [&](std::int32_t row, std::int32_t i, std::int32_t j, const Foot& touch, double sigma) {
+               ContactRecord<2>& record = begin(touch, sigma, 1, candidates_.cells_of_row(row));
+               record.species = species_of(i, j);
+               record.row = row;
+               record.add(i, -1);
+               record.add(j, +1);
+               ++touches;
+             });
   select_acting(system);
-  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), law().range()};
+  const Scene scene{system, candidates_.all(), candidates_.shifts(system.box), range()};
   walk(
-      scene, selected_, candidates_.group_begin(),
+      scene, laws, selected_, candidates_.group_begin(),
       [&](const EdgeCandidate& c, Part part, const Foot& touch, double sigma, int sign) {
         ContactRecord<2>& record = begin(touch, sigma, sign * c.scale, -candidates_.cells(c.image));
+        record.species = species_of(c.site, c.start);
         record.add(c.site, 1);
         record.add(c.start, -(1 - touch.along));
         if (part == Part::edge) record.add(c.end, -touch.along);

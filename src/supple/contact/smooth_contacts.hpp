@@ -40,13 +40,13 @@ class SmoothContacts final : public BodyContacts {
 
  private:
   struct Sum;
-  template <bool energies, class Law>
-  void add_all(const System<2>& system, const Law& law, Evaluation<2>& out, Sum& sum);
+  template <bool energies, class Laws>
+  void add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out, Sum& sum);
 
   void update(const System<2>& system);
   void select_acting(const System<2>& system);
-  template <class Meet>
-  void walk_discs(const System<2>& system, const Meet& meet);
+  template <class Laws, class Meet>
+  void walk_discs(const System<2>& system, const Laws& laws, const Meet& meet);
 
   EdgeCandidates candidates_;
   LinkedTouches linked_;

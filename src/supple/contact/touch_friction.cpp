@@ -25,14 +25,14 @@ RecordPlace place_of(const ContactRecord<2>& record, const System<2>& system, co
   return {branch, length > 0 ? (1 / length) * along : record.normal};
 }
 
-double share_of(const ContactRecord<2>& record, const BodyLaw& law) {
-  return record.multiplicity * law.force(record.distance(), record.reach);
+double share_of(const ContactRecord<2>& record, const ContactLaws& laws) {
+  return record.multiplicity * laws.of(record.species).force(record.distance(), record.reach);
 }
 
 /// Fills the frame of a touch from its records. The share of each one is its part of the elastic force at
 /// present, also at an earlier instant: the two sides are then the same points of the boundaries.
 void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRecord<2>> records,
-          const BodyLaw& law, const BodyTouch& touch, const std::vector<std::int32_t>& body,
+          const ContactLaws& laws, const BodyTouch& touch, const std::vector<std::int32_t>& body,
           const Instant& at) {
   const auto ring = [&](std::int32_t site) { return ring_of(system.topology, body[site]); };
   frame.clear();
@@ -44,7 +44,7 @@ void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRec
   frame.up = any.up;
   frame.jump = system.box.velocity_jump(any.up);
   for (const ContactRecord<2>& record : records) {
-    const double part = share_of(record, law), share = per_force * part * dot(record.normal, n);
+    const double part = share_of(record, laws), share = per_force * part * dot(record.normal, n);
     const RecordPlace place = place_of(record, system, at);
     for (int k = 0; k < record.sites; ++k) frame.sites.push_back({record.site[k], share * record.weight[k]});
     frame.branch += share * place.branch;
@@ -76,7 +76,7 @@ void TouchFriction::evaluate(const System<2>& system, double dt, Detail detail, 
   out.trial_touch.clear();
   out.touch_force.clear();
   lossy_.clear();
-  for (const BodyTouch& touch : sum_touches(system, records_, contacts_->law()))
+  for (const BodyTouch& touch : sum_touches(system, records_, contacts_->laws()))
     if (norm(touch.force) > 0) act(system, touch, dt, detail, out);
   std::sort(out.trial_touch.begin(), out.trial_touch.end(),
             [](const Touch& a, const Touch& b) { return a.key < b.key; });
@@ -87,31 +87,33 @@ void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double 
                         Evaluation<2>& out) {
   const std::span records(records_.data() + touch.first_record, static_cast<std::size_t>(touch.records));
   const Instant now{system.state}, then{system.state, 0.5 * dt};
-  fill(frame_, system, records, contacts_->law(), touch, body_, now);
-  if (dt > 0) fill(earlier_, system, records, contacts_->law(), touch, body_, then);
+  fill(frame_, system, records, contacts_->laws(), touch, body_, now);
+  if (dt > 0) fill(earlier_, system, records, contacts_->laws(), touch, body_, then);
   const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
   const Vec2 v = moved.velocity(then), n = frame_.normal;
   const TouchMotion motion{dot(v, moved.normal), dot(v, turned_left(moved.normal))};
 
   const TouchKey key = key_of(records.front());
+  const std::array<std::int32_t, 2> pair = records.front().species;
+  const TouchLaw& law = laws_.of(pair);
   const Touch* known = system.touches.find(key);
   // A spring acts on its sites with the square of their weights: never stiffer than it is.
   const double u = known ? known->elongation : 0,
-               leverage = frame_.leverage(contacts_->law().range() * records.front().reach),
+               leverage = frame_.leverage(contacts_->laws().of(pair).range() * records.front().reach),
                scale = scale_of(system, key.site) / (leverage * leverage);
-  const TouchResponse r = respond_touch(law_, scale, touch.normal_force(), motion, u, dt);
+  const TouchResponse r = respond_touch(law, scale, touch.normal_force(), motion, u, dt);
   out.trial_touch.push_back({key, r.tangential.state, r.tangential.elongation});
   const Mat2 before = out.virial;
   frame_.scatter(r.viscous * n - r.tangential.force * turned_left(n), system.state, out);
   out.touch_force.push_back({key, r.viscous, r.tangential.force, out.virial + -1.0 * before});
 
   if (detail != Detail::energies) return;
-  const double k_t = scale * law_.k_t, dashpot = r.tangential.force - k_t * r.tangential.elongation;
-  const bool freely = r.tangential.state == ContactState::slip && law_.slip != Slip::clamp;
+  const double k_t = scale * law.k_t, dashpot = r.tangential.force - k_t * r.tangential.elongation;
+  const bool freely = r.tangential.state == ContactState::slip && law.slip != Slip::clamp;
   lossy_.push_back({frame_, r.viscous, freely ? 0 : dashpot, freely ? dashpot : 0});
   TangentialResponse in_the_mean = r.tangential;  // the spring over the step, as it stores energy
   in_the_mean.force -= 0.5 * k_t * (r.tangential.elongation - u);
-  const TangentialBooks books = book(in_the_mean, u, motion.v_t, dt, k_t, scale * law_.eta_t, law_.slip);
+  const TangentialBooks books = book(in_the_mean, u, motion.v_t, dt, k_t, scale * law.eta_t, law.slip);
   out.energy.tangential += books.energy;
   out.energy.tangential_viscous_power += books.viscous_power;
   out.energy.sliding_power += books.sliding_power;
@@ -124,7 +126,9 @@ void TouchFriction::book_opened(const System<2>& system, double dt, Evaluation<2
   for (const Touch& old : system.touches.rows) {
     while (held != out.trial_touch.end() && held->key < old.key) ++held;
     if (held != out.trial_touch.end() && held->key == old.key) continue;
-    const double k_t = scale_of(system, old.key.site) * law_.k_t;
+    const TouchLaw& law =
+        laws_.of(system.species_of(body_[old.key.site]), system.species_of(body_of_other(old.key, body_)));
+    const double k_t = scale_of(system, old.key.site) * law.k_t;
     out.energy.sliding_power += 0.5 * k_t * old.elongation * old.elongation / dt;
   }
 }

@@ -19,11 +19,10 @@ namespace supple {
 /// makes them, then winds up nothing at any length of step.
 class TouchFriction final : public Interaction {
  public:
-  TouchFriction(std::shared_ptr<BodyContacts> contacts, const TouchLaw& law)
-      : contacts_(std::move(contacts)), law_(law) {}
+  TouchFriction(std::shared_ptr<BodyContacts> contacts, const LawTable<TouchLaw>& laws)
+      : contacts_(std::move(contacts)), laws_(laws) {}
 
-  const TouchLaw& law() const { return law_; }
-  void set_law(const TouchLaw& law) { law_ = law; }
+  const LawTable<TouchLaw>& laws() const { return laws_; }
   void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
   LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
   void commit(System<2>& system, Evaluation<2>& evaluation) override {
@@ -39,7 +38,7 @@ class TouchFriction final : public Interaction {
   }
 
   std::shared_ptr<BodyContacts> contacts_;
-  TouchLaw law_;
+  LawTable<TouchLaw> laws_;
   std::vector<std::int32_t> body_;  ///< of each site
   std::vector<ContactRecord<2>> records_;
   std::vector<LossyTouch> lossy_;  ///< of the last evaluation with energies

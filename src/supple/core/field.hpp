@@ -32,11 +32,12 @@ inline constexpr Range fraction{0, 1};
 
 /// What becomes of a parameter when a run goes on from a state.
 enum class Role {
-  unsaid,  ///< the role of its section (with_role), or else `run`
-  run,     ///< how this run goes; a state does not keep it
-  law,     ///< what acts; the state keeps it by name, and it holds unless the case gives the key
-  sample,  ///< how the sample was made; a case with a state may only repeat what the state says
-  number   ///< what acts, too, but the state keeps it among its numbers, not by name
+  unsaid,     ///< the role of its section (with_role), or else `run`
+  run,        ///< how this run goes; a state does not keep it
+  law,        ///< what acts; the state keeps it by name, and it holds unless the case gives the key
+  exception,  ///< a law in the place of another one where it is given; the state keeps it only there
+  sample,     ///< how the sample was made; a case with a state may only repeat what the state says
+  number      ///< what acts, too, but the state keeps it among its numbers, not by name
 };
 
 /// One parameter of the struct P: its key, the member that holds it, its unit ("" for none), its meaning in

@@ -74,6 +74,14 @@ void add_particle(const Case& c, const Species& species, int body, const Vec2& c
     system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
+/// The place of each particle's species in the case.
+std::vector<std::int32_t> places_of_bodies(const Case& c) {
+  std::vector<std::int32_t> places;
+  for (std::size_t k = 0; k < c.species.size(); ++k)
+    places.insert(places.end(), static_cast<std::size_t>(c.species[k].count), static_cast<std::int32_t>(k));
+  return places;
+}
+
 /// The species of each particle.
 std::vector<const Species*> species_of_bodies(const std::vector<Species>& all) {
   std::vector<const Species*> of_body;
@@ -215,6 +223,7 @@ System<2> particles_apart(const Case& c) {
   system.box.length = {pitch * side, pitch * side};
   for (int b = 0; b < bodies; ++b)
     add_particle(c, *species[b], b, {pitch * (b % side + 0.5), pitch * (b / side + 0.5)}, system);
+  system.species = places_of_bodies(c);
   return system;
 }
 
@@ -228,6 +237,7 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
   system.box = loose.cell;
   for (std::size_t b = 0; b < species.size(); ++b)
     add_particle(c, *species[b], static_cast<int>(b), centre[b], system);
+  system.species = places_of_bodies(c);
   if (const Soundness s = look_at(system, outline_of(c));
       s.inside + s.crossing > 0 && c.contact.unsound == "stop")
     throw input_error(fmt::format("random particles at packing fraction {}", packing_fraction_wanted),

@@ -87,20 +87,22 @@ Experiment body_dynamics() {
       .keys = with(with(moving_keys(), rubbing_keys()),
                    {"jamming.packing_fraction", "motion.kinetic_energy", "time.steps", "initial.keep_time",
                     "shear.rate", "shear.cool_factor", "shear.relative_frequency", "output.tensors"}),
-      .needs = {{"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", Need::Of::value,
-                 [](const Case& c) { return !is_sheared(c); },
-                 "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
-                {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links "
-                 "particles.cut particles.cut_lines particles.edge_fuzziness "
-                 "particles.avoid_horizontal_angle_degree particles.avoid_height_spanning_particles "
-                 "particles.max_cut_tries particles.remove_link_fraction material.friction "
-                 "material.relative_viscosity material.relative_transversal_link_strength "
-                 "material.interface_reenforcement_central material.interface_reenforcement_tangential "
-                 "material.keep_viscosity_coefficients_constant material.slip",
-                 Need::Of::value, is_sheared,
-                 "shear.rate: particles rub, and may be linked, where the cell is sheared"},
-                {"contact.k_p contact.floor_friction", Need::Of::start, [](const Case&) { return false; },
-                 "walls: dynamics has those of the file that it starts from"}},
+      .needs =
+          {{"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", Need::Of::value,
+            [](const Case& c) { return !is_sheared(c); },
+            "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
+           {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links "
+            "particles.cut particles.cut_lines particles.edge_fuzziness "
+            "particles.avoid_horizontal_angle_degree particles.avoid_height_spanning_particles "
+            "particles.max_cut_tries particles.remove_link_fraction material.friction contact.A.B.friction "
+            "contact.A.B.relative_viscosity "
+            "material.relative_viscosity material.relative_transversal_link_strength "
+            "material.interface_reenforcement_central material.interface_reenforcement_tangential "
+            "material.keep_viscosity_coefficients_constant material.slip",
+            Need::Of::value, is_sheared,
+            "shear.rate: particles rub, and may be linked, where the cell is sheared"},
+           {"contact.k_p contact.floor_friction", Need::Of::start, [](const Case&) { return false; },
+            "walls: dynamics has those of the file that it starts from"}},
       .derive = derive_body_dynamics,
       .run = run_body_dynamics,
       .figure = [](const Case& c) { return c.time.steps > 0 ? Figure::motion : Figure::none; },

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <map>
+
 #include "supple/core/duration.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/matter.hpp"
+#include "supple/experiment/pairs_of_case.hpp"
 #include "supple/model/polygons.hpp"
 
 namespace supple {
@@ -60,7 +64,10 @@ void check_kind(const Case& c, const std::string& section, const ParticleKind& p
 
 /// Keys of [bodies] that say what [[species]] say.
 void check_species(const Case& c, Problems& problems) {
-  if (c.species.empty()) return;
+  const auto is_of_species = [](const std::string& key) {
+    return kind_of_section(section_of(key)) == "species";
+  };
+  if (std::none_of(c.given.begin(), c.given.end(), is_of_species)) return;  // none, or those of a state
   for (const Field<Bodies>& field : fields<Bodies>()) {
     const std::string key = fmt::format("bodies.{}", field.name);
     const bool of_all =
@@ -76,6 +83,7 @@ void check_bodies(const Case& c, Start, Problems& problems) {
   for (const auto& [section, kind] : kinds_of(c)) check_kind(c, section, *kind, problems);
   if (!is_disc(c.bodies)) check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
   check_species(c, problems);
+  check_pairs(c, problems);
   if (!c.initial.state.empty() && !c.initial.packing.empty())
     add_problem(problems, c, "initial.state and initial.packing", "a run starts from one of them",
                 "leave one away");
@@ -100,11 +108,17 @@ void doubt_kind(const Case& c, const std::string& section, const ParticleKind& p
 
 void doubt_bodies(const Case& c, Doubts& doubts) {
   for (const auto& [section, kind] : kinds_of(c)) doubt_kind(c, section, *kind, doubts);
+  doubt_pairs(c, doubts);
 }
 
 HeldKeys keys_of_bodies(const InitialState& initial) {
   const System<2>& s = initial.system;
-  return {{"bodies.N", static_cast<std::int64_t>(s.topology.body_count(s.state.size()))}};
+  const int bodies = s.topology.body_count(s.state.size());
+  HeldKeys keys{{"bodies.N", std::int64_t{bodies}}};
+  std::map<std::int32_t, std::int64_t> count;
+  for (const std::int32_t species : s.species) ++count[species];
+  for (const auto& [species, n] : count) keys[species_section(static_cast<std::size_t>(species)) + ".N"] = n;
+  return keys;
 }
 
 void adopt_bodies(Case& c, const InitialState& initial) {

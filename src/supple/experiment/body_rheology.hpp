@@ -1,17 +1,21 @@
 /// Laws of friction, viscosity and links of deformable particles, as a case asks for them.
 #pragma once
+#include "supple/contact/laws/table.hpp"
 #include "supple/contact/laws/touch.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/experiment/pairs_of_case.hpp"
 
 namespace supple {
 
 /// The laws, and the numbers that they follow from, in units of the run. `k` is the stiffness of a contact of
-/// two vertices of mean size, `mass` the mass of a vertex; tau = sqrt(m/k) with the mean mass m of a
-/// particle.
+/// two vertices of mean size by [contact], `mass` the mass of a vertex; tau = sqrt(m/k) with the mean mass m
+/// of a particle.
 struct BodyLaws {
   double k = 0, mass = 0, tau = 0;
-  TouchLaw touch;
-  LinkLaw link;
+  LawTable<TouchLaw> touch{TouchLaw{}};
+  LawTable<LinkLaw> link{LinkLaw{}};
+  /// Those that have laws of their own, and their k.
+  std::vector<std::pair<PairOfSpecies, double>> pairs;
 };
 BodyLaws body_laws(const Case& c, const Packing& packing);
 std::vector<Derived> derived_laws(const BodyLaws& laws);

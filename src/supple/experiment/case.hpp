@@ -99,6 +99,7 @@ struct Bodies : ParticleKind {
 /// One of several kinds in a sample, in place of [bodies].
 struct Species : ParticleKind {
   double diameter = 1;  ///< of the disc with its preferred area, over that of area 1
+  std::string name;     ///< empty: its place, from 1
 };
 
 struct ContactOfBodies {
@@ -106,6 +107,15 @@ struct ContactOfBodies {
   double attraction_range = 0.1;
   double k_c = 1, k_p = 4, floor_friction = 0.1;
   std::string unsound = "stop";  ///< what happens when particles get into each other
+};
+
+/// Contacts of the particles of two species. What the user does not give is as in [contact] and [material]
+/// (pairs_of).
+struct ContactOfSpecies {
+  std::string first, second;  ///< names of the species, in the order of the alphabet
+  std::string law = ContactOfBodies().law;
+  double attraction_range = ContactOfBodies().attraction_range, k_c = ContactOfBodies().k_c;
+  double friction = Material().friction, relative_viscosity = Material().relative_viscosity;
 };
 
 struct Minimisation {
@@ -167,6 +177,7 @@ struct Case {
   Bodies bodies;
   std::vector<Species> species;  ///< empty: those of `bodies`
   ContactOfBodies contact;
+  std::vector<ContactOfSpecies> pairs;  ///< in the order of their names; most have none
   Minimisation minimise;
   Jamming jamming;
   Compression compression;
@@ -204,6 +215,8 @@ const Fields<Species>& fields();
 template <>
 const Fields<ContactOfBodies>& fields();
 template <>
+const Fields<ContactOfSpecies>& fields();
+template <>
 const Fields<Minimisation>& fields();
 template <>
 const Fields<Jamming>& fields();
@@ -222,6 +235,14 @@ const Fields<Output>& fields();
 
 /// Name of the section [[species]] of this place in keys: "species.1" of the first.
 std::string species_section(std::size_t index);
+/// By what [contact.A.B] calls it: its name, or else its place, "1" of the first.
+std::string name_of_species(const Case& c, std::size_t index);
+/// Name of the section [contact.A.B] in keys.
+std::string pair_section(const ContactOfSpecies& pair);
+/// The contacts of two species in the case, new ones where it has none of them. The order does not matter.
+ContactOfSpecies& contact_between(Case& c, std::string first, std::string second);
+/// What a section is of: "species" of "species.2", "contact.A.B" of any pair, others as they are.
+std::string kind_of_section(std::string_view section);
 /// The section of a key, without its dot: "bodies" of "bodies.N", "species.1" of "species.1.N", "" of "seed".
 inline std::string_view section_of(std::string_view key) {
   const auto dot = key.rfind('.');
@@ -244,6 +265,7 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("bodies", c.bodies);
   for (std::size_t k = 0; k < c.species.size(); ++k) visit(species_section(k), c.species[k]);
   visit("contact", c.contact);
+  for (auto& pair : c.pairs) visit(pair_section(pair), pair);
   visit("minimise", c.minimise);
   visit("jamming", c.jamming);
   visit("compression", c.compression);

@@ -57,7 +57,9 @@ template <>
 const Fields<Species>& fields() {
   static const Fields<Species> f = [] {
     Fields<Species> all = fields_of_kind<Species>();
-    all.insert(all.begin() + 2,
+    all.insert(all.begin(), {"name", &Species::name, "",
+                             "by which [contact.A.B] calls it; empty: by its place, 1 for the first"});
+    all.insert(all.begin() + 3,
                {"diameter", &Species::diameter, "",
                 "of the disc with its preferred area, over that of a disc of area 1", positive});
     for (Field<Species>& field : all) {
@@ -151,6 +153,25 @@ const Fields<ContactOfBodies>& fields() {
        Role::run},
   };
   static const Fields<T> f = with_role(Role::law, all);
+  return f;
+}
+
+template <>
+const Fields<ContactOfSpecies>& fields() {
+  using P = ContactOfSpecies;
+  static const Fields<P> all{
+      {"law", &P::law, "", "elastic law of contacts of A and B", any_value, laws_of_bodies()},
+      {"attraction_range",
+       &P::attraction_range,
+       "sigma",
+       "beyond contact, of the law \"adhesive\"",
+       {0, 1, true, false}},
+      {"k_c", &P::k_c, "", "stiffness of these contacts", positive},
+      {"friction", &P::friction, "", "Coulomb coefficient mu of these contacts", not_negative},
+      {"relative_viscosity", &P::relative_viscosity, "", "viscosity of these contacts, over sqrt(m k_c)",
+       not_negative},
+  };
+  static const Fields<P> f = with_role(Role::exception, all);
   return f;
 }
 

@@ -9,14 +9,6 @@
 
 namespace supple {
 
-std::string species_section(std::size_t index) { return fmt::format("species.{}", index + 1); }
-
-Case every_section() {
-  Case c;
-  c.species.resize(1);
-  return c;
-}
-
 namespace {
 
 /// A0 = 1.04, or 1 % above the least where few vertices cannot have that: at the least itself a floppy

@@ -123,11 +123,11 @@ void append_links(const System<2>& system, const Evaluation<2>& evaluation, std:
 }  // namespace
 
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
-                 const std::vector<ContactRecord<2>>& records, const BodyLaw& law) {
+                 const std::vector<ContactRecord<2>>& records, const ContactLaws& laws) {
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
   const Rubbing rubbing(evaluation);
-  for (const SiteContact& c : site_contacts(system, records, law)) {
+  for (const SiteContact& c : site_contacts(system, records, laws)) {
     rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0,
                     c.normal_force(), 0, c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
     rubbing.add_to(rows.back(), c);

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "supple/contact/laws/body.hpp"
+#include "supple/contact/laws/table.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/experiment/recorder.hpp"
 
@@ -14,7 +14,7 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation);
 /// The frame of deformable particles with these contacts, and the friction and links of the evaluation; rows
 /// ascend. Two corners that meet head on, each acting on the edges of the other, are one row.
 Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
-                 const std::vector<ContactRecord<2>>& records, const BodyLaw& law);
+                 const std::vector<ContactRecord<2>>& records, const ContactLaws& laws);
 
 /// Adds the stress tensor of each body, compression positive, as numbers stress_xx to stress_yy; in xy, x is
 /// the direction of the force and y that of the position. The stress of a microgel disc is 1/(2 pi r^2) sum F

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "supple/core/error.hpp"
+#include "supple/experiment/used_keys.hpp"
 
 namespace supple {
 
@@ -40,7 +41,24 @@ void assign(const Field& field, Section& section, const KeyValue& value) {
       field.member);
 }
 
-bool is_held(Role role) { return role == Role::law || role == Role::sample; }
+bool is_held(Role role) { return role == Role::law || role == Role::exception || role == Role::sample; }
+
+/// Gives the case those sections of these keys of which a case may have several: all species, if it has none
+/// itself, and pairs of them.
+void make_sections(Case& c, const HeldKeys& keys) {
+  const auto has = [&](const std::string& section) {
+    const auto at = keys.lower_bound(section + ".");
+    return at != keys.end() && at->first.starts_with(section + ".");
+  };
+  if (c.species.empty())
+    while (has(species_section(c.species.size()))) c.species.emplace_back();
+  for (const auto& [key, value] : keys) {
+    const std::string section(section_of(key));
+    if (kind_of_section(section) != "contact.A.B") continue;
+    const std::string names = section.substr(section.find('.') + 1);
+    contact_between(c, names.substr(0, names.find('.')), names.substr(names.find('.') + 1));
+  }
+}
 
 /// Whether two values are the same; numbers to 1e-9, as units round them.
 bool same(const KeyValue& a, const KeyValue& b) {
@@ -71,6 +89,7 @@ HeldKeys held_keys(const Case& c) {
   const std::vector<std::string> read = sections_of(c);
   HeldKeys keys;
   for_each_key(c, [&](const std::string& key, const auto& field, const auto& section) {
+    if (field.role == Role::exception && !c.is_given(key)) return;
     if (is_held(field.role) && std::find(read.begin(), read.end(), section_of(key)) != read.end())
       keys[key] = value_of(field, section);
   });
@@ -79,10 +98,11 @@ HeldKeys held_keys(const Case& c) {
 
 HeldKeys laws_of(const HeldKeys& keys) {
   HeldKeys laws;
-  const Case c;
+  Case c;
+  make_sections(c, keys);
   for_each_key(c, [&](const std::string& key, const auto& field, const auto&) {
     const auto at = keys.find(key);
-    if (field.role == Role::law && at != keys.end()) laws.insert(*at);
+    if ((field.role == Role::law || field.role == Role::exception) && at != keys.end()) laws.insert(*at);
   });
   return laws;
 }
@@ -103,6 +123,9 @@ HeldKeys given_as_held(const Case& c) {
 
 void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std::string& file) {
   std::vector<std::string> problems;
+  HeldKeys all = held;
+  all.insert(known.begin(), known.end());
+  make_sections(c, all);
   const auto find = [](const HeldKeys& keys, const std::string& key) -> std::optional<KeyValue> {
     const auto at = keys.find(key);
     return at == keys.end() ? std::nullopt : std::optional(at->second);
@@ -112,11 +135,13 @@ void adopt_keys(Case& c, const HeldKeys& held, const HeldKeys& known, const std:
     const std::optional<KeyValue> by_name = find(held, key), of_system = find(known, key);
     if (!c.is_given(key)) {
       if (by_name || of_system) assign(field, section, by_name ? *by_name : *of_system);
+      if (by_name && field.role == Role::exception && uses(c, key)) c.given.insert(key);
       return;
     }
     const KeyValue given = value_of(field, section);
     const auto confirms = [&](const std::optional<KeyValue>& value) { return value && same(given, *value); };
-    if (field.role == Role::law || confirms(by_name) || confirms(of_system)) return;
+    if (field.role == Role::law || field.role == Role::exception || confirms(by_name) || confirms(of_system))
+      return;
     const std::string why = by_name || of_system
                                 ? fmt::format("it is {} in {}, whose particles are taken as they are",
                                               shown(by_name ? *by_name : *of_system), file)

@@ -14,16 +14,16 @@ namespace {
 /// Contacts of another stiffness for as long as it lives.
 class Softened {
  public:
-  Softened(BodyContacts& contacts, double factor) : contacts_(contacts), law_(contacts.law()) {
-    contacts_.set_law(law_.stiffer(factor));
+  Softened(BodyContacts& contacts, double factor) : contacts_(contacts), laws_(contacts.laws()) {
+    contacts_.set_laws(laws_.map([&](const BodyLaw& law) { return law.stiffer(factor); }));
   }
-  ~Softened() { contacts_.set_law(law_); }
+  ~Softened() { contacts_.set_laws(laws_); }
   Softened(const Softened&) = delete;
   Softened& operator=(const Softened&) = delete;
 
  private:
   BodyContacts& contacts_;
-  BodyLaw law_;
+  ContactLaws laws_;
 };
 
 /// Stiffness of contacts and pressure on the way, as shares of what they are at the end.
@@ -101,7 +101,9 @@ class Press {
     for (int b = 0; b < bodies; ++b) particle += 2 * outer_radius(s, b) / bodies;
     const double sigma = mean_diameter();
     const double force = times * spec_.pressure * packing_.pressure_unit * particle;
-    return force / (most_yield * sigma * packing_.field->bodies()->law().spring(sigma));
+    const double softest =
+        packing_.field->bodies()->laws().least([&](const BodyLaw& law) { return law.spring(sigma); });
+    return force / (most_yield * sigma * softest);
   }
 
   ForceTolerance coarse_tolerance() const {

@@ -17,7 +17,8 @@ UsedKeys disc_keys() { return with(every(), {"material.*", "particles.*", "box.*
 UsedKeys body_keys() {
   return with(every(), {"bodies.*", "species.*", "-bodies.yield_strain", "-bodies.flow_time", "contact.kind",
                         "contact.law", "contact.attraction_range", "contact.k_c", "contact.unsound",
-                        "initial.state", "initial.packing", "output.plot"});
+                        "contact.A.B.law", "contact.A.B.attraction_range", "contact.A.B.k_c", "initial.state",
+                        "initial.packing", "output.plot"});
 }
 
 UsedKeys minimised_keys() { return with(body_keys(), {"minimise.*"}); }
@@ -35,6 +36,8 @@ UsedKeys rubbing_keys() {
           "-particles.cut_top_bottom",
           "material.friction",
           "material.relative_viscosity",
+          "contact.A.B.friction",
+          "contact.A.B.relative_viscosity",
           "material.relative_transversal_link_strength",
           "material.interface_reenforcement_central",
           "material.interface_reenforcement_tangential",

@@ -12,6 +12,7 @@
 #include "supple/energy/collapse.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/given_packing.hpp"
+#include "supple/experiment/pairs_of_case.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/body_terms.hpp"
@@ -27,10 +28,6 @@ namespace {
 
 Harmonic springs_of(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
 
-BodyLaw contact_law(const Case& c) {
-  return {springs_of(c), make_elastic(c.contact.law, {.attraction_range = c.contact.attraction_range})};
-}
-
 double mean_radius(const System<2>& system) {
   double sum = 0;
   for (double r : system.state.radius) sum += r;
@@ -40,10 +37,10 @@ double mean_radius(const System<2>& system) {
 }  // namespace
 
 std::shared_ptr<ForceField> make_body_field(const Case& c) {
-  const BodyLaw law = contact_law(c);
+  const ContactLaws laws = contact_laws(c);
   std::shared_ptr<BodyContacts> contacts;
-  if (c.contact.kind == "smooth") contacts = std::make_shared<SmoothContacts>(law);
-  else contacts = std::make_shared<RoughContacts>(law);
+  if (c.contact.kind == "smooth") contacts = std::make_shared<SmoothContacts>(laws);
+  else contacts = std::make_shared<RoughContacts>(laws);
   auto field = std::make_shared<ForceField>(std::move(contacts));
   field->terms().add(std::make_shared<PolygonShape>());
   field->terms().add(std::make_shared<BodyTermSet<2>>());
@@ -69,6 +66,15 @@ void check_initial(const Case& c, const InitialState* initial, const Making& mak
     throw input_error("the state to start from holds crosslinked particles",
                       fmt::format("{} would leave their links out", c.general.experiment),
                       "shear them, or start from particles without links");
+  const std::vector<std::int32_t>& species = initial->system.species;
+  if (!c.pairs.empty() && species.empty())
+    throw input_error("the particles to start from are of no species",
+                      fmt::format("[{}] is about contacts of some of them", pair_section(c.pairs.front())),
+                      "start from a run of [[species]], or leave that section away");
+  if (const auto kinds = species.empty() ? 0 : *std::max_element(species.begin(), species.end()) + 1;
+      !c.species.empty() && kinds > static_cast<std::int32_t>(c.species.size()))
+    throw input_error(fmt::format("the particles to start from are of {} species", kinds),
+                      fmt::format("the case has {}", c.species.size()), "leave [[species]] away");
 }
 
 bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }

@@ -83,7 +83,7 @@ void begin_packing(Packing& packing, const std::vector<Derived>& constants, Reco
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   recorder.begin(make_run_info(packing.system, reduced_units()));
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
-  const Harmonic law = packing.field->bodies()->law().scale();
+  const Harmonic law = packing.field->bodies()->laws().common().scale();
   recorder.value(material_group, {contact_stiffness, "", "k_c of contacts"}, law.stiffness);
   recorder.value(material_group,
                  {contact_is_relative, "", "1: energy (k_c/2)(1 - r/sigma)^2; 0: (k_c/2)(sigma - r)^2"},
@@ -115,7 +115,7 @@ PackingReport report_packing(Packing& packing) {
   packing.field->evaluate(s, Detail::energies, r.evaluation);
   BodyContacts& contacts = *packing.field->bodies();
   r.records = contacts.records(s);
-  r.contacts = site_contacts(s, r.records, contacts.law());
+  r.contacts = site_contacts(s, r.records, contacts.laws());
   r.network = contact_network(s, with_links(r.contacts, s, r.evaluation), r.evaluation.wall);
   r.rattlers = find_rattlers(s, r.contacts, {r.evaluation.wall, packing.field->external().gravity});
   r.numbers = count_contacts(r.network, r.rattlers);
@@ -164,7 +164,7 @@ std::vector<double> packing_row(const Packing& packing, const PackingReport& r, 
 }
 
 Frame packing_frame(const Packing& packing, const PackingReport& r, Surroundings surroundings) {
-  Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->law());
+  Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->laws());
   add_body_stresses(frame, packing, r);
   add_numbers(frame, packing, r, surroundings);
   frame.body["area"] = r.fraction.area;

@@ -52,10 +52,11 @@ void require_converged(Packing& packing, const MinimiseReport& report, const std
 
 double least_energy(Packing& packing, double pressure) {
   System<2>& system = packing.system;
-  if (!packing.field->bodies()->law().is_harmonic()) return 0;
+  const ContactLaws& laws = packing.field->bodies()->laws();
+  if (!laws.all([](const BodyLaw& law) { return law.is_harmonic(); })) return 0;
   double sum = 0;
   for (const ContactRecord<2>& r : packing.field->bodies()->records(system))
-    sum += std::abs(r.multiplicity) * packing.field->bodies()->law().spring(r.reach) * r.reach * r.reach;
+    sum += std::abs(r.multiplicity) * laws.of(r.species).spring(r.reach) * r.reach * r.reach;
   for (std::size_t b = 0; !packing.contact_pressure && b < system.shape.stiffness.size(); ++b) {
     const ShapeStiffness& k = system.shape.stiffness[b];
     if (k.tension != 0) return 0;

@@ -68,7 +68,7 @@ std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r,
   const double covered = r.fraction.total * packing.system.box.volume();
   for (const double x :
        {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
-        mean_overlap(packing.system, r.records, packing.field->bodies()->law()),
+        mean_overlap(packing.system, r.records, packing.field->bodies()->laws()),
         std::max(0.0, 1 - covered / lone_area(packing)), mean_shape_parameter(r.shapes).value_or(1)})
     row.push_back(x);
   return row;

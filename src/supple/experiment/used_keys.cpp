@@ -16,6 +16,10 @@ namespace {
 
 bool has_links(const Case& c) { return c.particles.permanent_links; }
 bool has_plateau(const Case& c) { return c.material.elastic_law == "plateau"; }
+bool adheres(const Case& c) {
+  return c.contact.law == "adhesive" ||
+         std::any_of(c.pairs.begin(), c.pairs.end(), [](const auto& pair) { return pair.law == "adhesive"; });
+}
 bool has_central_share(const Case& c) {
   const std::string& law = c.material.elastic_law;
   return law == "divergent" || law == "plateau" || law == "expression";
@@ -51,8 +55,7 @@ const std::vector<Need>& needs() {
        "material.elastic_law = \"divergent\", \"plateau\" or \"expression\""},
       {"material.attraction_range", value, [](const Case& c) { return c.material.elastic_law == "adhesive"; },
        "material.elastic_law = \"adhesive\""},
-      {"contact.attraction_range", value, [](const Case& c) { return c.contact.law == "adhesive"; },
-       "contact.law = \"adhesive\""},
+      {"contact.attraction_range", value, adheres, "contact.law = \"adhesive\""},
       {"box.plates", value, [](const Case& c) { return c.box.boundary != "periodic"; },
        "box.boundary = \"lees_edwards\" or \"fixed\""},
       {"bodies.A0 bodies.A0_ratio bodies.A0_ratio_large bodies.k_a bodies.k_l bodies.k_b bodies.gamma "
@@ -72,21 +75,27 @@ const std::vector<Need>& needs() {
   return all;
 }
 
+/// The key with kind_of_section(): that of "species.2.N" is "species.N".
+std::string declared_name(std::string_view key) {
+  const std::string kind = kind_of_section(section_of(key));
+  return (kind.empty() ? "" : kind + ".") + std::string(key.substr(key.rfind('.') + 1));
+}
+
 /// Whether `keys`, with spaces between, names the key.
 bool names(std::string_view keys, std::string_view key) {
-  return fmt::format(" {} ", keys).find(fmt::format(" {} ", key)) != std::string::npos;
+  return fmt::format(" {} ", keys).find(fmt::format(" {} ", declared_name(key))) != std::string::npos;
 }
 
 /// Of entries "section.*", "section.key" and, to take one out again, "-section.key", the last that fits
 /// decides.
 bool declares(const UsedKeys& entries, std::string_view key) {
-  const std::string_view section = key.substr(0, key.find('.') == key.npos ? 0 : key.find('.') + 1);
+  const std::string name = declared_name(key), section = name.substr(0, name.rfind('.') + 1);
   bool used = false;
   for (std::string_view entry : entries) {
     const bool out = entry.starts_with('-');
     if (out) entry.remove_prefix(1);
     const bool all = entry.ends_with(".*");
-    if (all ? !section.empty() && entry.substr(0, entry.size() - 1) == section : entry == key) used = !out;
+    if (all ? !section.empty() && entry.substr(0, entry.size() - 1) == section : entry == name) used = !out;
   }
   return used;
 }

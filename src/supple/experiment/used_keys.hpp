@@ -10,8 +10,8 @@
 
 namespace supple {
 
-/// Keys that an experiment uses: "section.*", "section.key", and "-section.key" to take one out again. The
-/// last entry that fits a key decides.
+/// Keys that an experiment uses: "section.*", "section.key", with kind_of_section(), and "-section.key" to
+/// take one out again. The last entry that fits a key decides.
 using UsedKeys = std::vector<std::string_view>;
 /// `common`, then `more`.
 UsedKeys with(UsedKeys common, const UsedKeys& more);

@@ -24,7 +24,7 @@ class ForceField {
       : contacts_(std::move(contacts)),
         neighbors_(relative_skin, Meeting::sites, range_of(contacts_.repulsion())) {}
   explicit ForceField(std::shared_ptr<BodyContacts> contacts, double relative_skin = default_skin)
-      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting(), bodies_->law().range()) {}
+      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting(), bodies_->range()) {}
 
   void evaluate(System<2>& system, Detail detail, Evaluation<2>& out) {
     neighbors_.update(system);

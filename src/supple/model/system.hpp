@@ -22,7 +22,10 @@ struct System {
   Topology<Dim> topology;
   Shape shape;
   std::vector<BodyTermData> terms;  ///< what else acts on whole bodies
-  RigidBodies rigid;                ///< empty: every body deforms
+  /// Of each body, its place among the species of its sample, on which the laws of its contacts depend.
+  /// Bodies beyond the end are of the first.
+  std::vector<std::int32_t> species;
+  RigidBodies rigid;  ///< empty: every body deforms
   PairTable pairs;
   TouchTable touches;       ///< of bodies of many sites, where contacts remember
   std::vector<Link> links;  ///< between bodies of many sites, ascending by (first, second)
@@ -35,6 +38,10 @@ struct System {
   /// are of one instant.
   double lag = 0;
   std::int64_t step = 0;
+
+  std::int32_t species_of(std::int32_t body) const {
+    return static_cast<std::size_t>(body) < species.size() ? species[body] : 0;
+  }
 };
 
 }  // namespace supple

@@ -85,7 +85,7 @@ std::vector<Mat2> BodyStresses::of_bodies(std::span<const double> area) const {
 }
 
 BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_force,
-                           const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
+                           const std::vector<ContactRecord<2>>& records, const ContactLaws& laws,
                            std::span<const SiteForce<2>> wall) {
   const State<2>& state = system.state;
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, state.size());
@@ -98,7 +98,7 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
   for (const ContactRecord<2>& record : records) {
     const Sides sides(record);
     const double distance = record.distance(),
-                 force = record.multiplicity * law.force(distance, record.reach);
+                 force = record.multiplicity * laws.of(record.species).force(distance, record.reach);
     Mat2 moment;
     moment.add_outer(force, record.normal, record.branch);
     s.contact += moment;
@@ -123,7 +123,7 @@ BodyStresses body_stresses(const System<2>& system, ForceField& field, const Eva
   shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec2{});
   field.terms().evaluate(system, Detail::forces, shape);
   add_rigid_forces(system, evaluation.force, shape.force);
-  BodyStresses s = body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->law(),
+  BodyStresses s = body_stresses(system, shape.force, field.bodies()->records(system), field.bodies()->laws(),
                                  evaluation.wall);
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   const auto add = [&](const Mat2& moment, std::int32_t one, std::int32_t other) {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "supple/contact/laws/body.hpp"
+#include "supple/contact/laws/table.hpp"
 #include "supple/contact/record.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/model/evaluation.hpp"
@@ -45,7 +45,7 @@ inline double shear_stress(const Mat2& stress) { return -0.5 * (stress[0][1] + s
 /// chord through the points where the two circles cross (the contact line of 9.27), in halves for sites of
 /// equal radius. The shares add to one, so that the moments of bodies add to the whole.
 BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_force,
-                           const std::vector<ContactRecord<2>>& records, const BodyLaw& law,
+                           const std::vector<ContactRecord<2>>& records, const ContactLaws& laws,
                            std::span<const SiteForce<2>> wall = {});
 
 /// The same for a force field of bodies, at the instant of `evaluation`. The shape force on a site of a rigid

@@ -13,11 +13,12 @@ namespace {
 
 /// The site of negative weight that bears the largest share of a record of the touch.
 std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch,
-                       const BodyLaw& law) {
+                       const ContactLaws& laws) {
   std::int32_t site = -1;
   double largest = -1;
   for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r) {
     const ContactRecord<2>& record = records[r];
+    const BodyLaw& law = laws.of(record.species);
     const double force = std::abs(record.multiplicity * law.force(record.distance(), record.reach));
     for (int k = 0; k < record.sites; ++k)
       if (const double weight = -record.weight[k]; weight > 0 && weight * force > largest) {
@@ -62,19 +63,19 @@ int wall_of(const SiteForce<2>& wall) {
 }  // namespace
 
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                       const BodyLaw& law) {
+                                       const ContactLaws& laws) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<SiteContact> contacts;
-  for (const BodyTouch& touch : sum_touches(system, records, law))
-    contacts.push_back({touch.site, main_site(records, touch, law), body[touch.site], touch.body, touch.force,
-                        shift_of(system, records[touch.first_record]), touch.normal_force() < 0,
-                        law.attracts()});
+  for (const BodyTouch& touch : sum_touches(system, records, laws))
+    contacts.push_back({touch.site, main_site(records, touch, laws), body[touch.site], touch.body,
+                        touch.force, shift_of(system, records[touch.first_record]), touch.normal_force() < 0,
+                        laws.of(records[touch.first_record].species).attracts()});
   return contacts;
 }
 
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                    const BodyLaw& law) {
-  const std::vector<BodyTouch> touches = sum_touches(system, records, law);
+                    const ContactLaws& laws) {
+  const std::vector<BodyTouch> touches = sum_touches(system, records, laws);
   double sum = 0;
   for (const BodyTouch& touch : touches) {
     double depth =

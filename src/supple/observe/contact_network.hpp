@@ -25,14 +25,14 @@ struct SiteContact {
   double normal_force() const { return pulls ? -norm(force) : norm(force); }
 };
 
-/// The contacts that these records make under `law`, in the order of the records.
+/// The contacts that these records make under these laws, in the order of the records.
 std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                       const BodyLaw& law);
+                                       const ContactLaws& laws);
 
 /// Mean relative overlap of the contacts of these records: (reach - distance)/reach, of a contact of several
 /// records the largest. 0 without contacts.
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                    const BodyLaw& law);
+                    const ContactLaws& laws);
 
 /// Which bodies touch each other or a wall. Two bodies that touch through two images, as in a very small
 /// cell, are two pairs.

@@ -10,7 +10,7 @@ double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
   double sum = 0;
   const std::vector<ContactRecord<2>> records = contacts.records(system);
   for (const ContactRecord<2>& r : records)
-    sum += std::abs(r.multiplicity * contacts.law().force(r.distance(), r.reach));
+    sum += std::abs(r.multiplicity * contacts.laws().of(r.species).force(r.distance(), r.reach));
   return records.empty() ? 0 : sum / static_cast<double>(records.size());
 }
 
@@ -64,8 +64,9 @@ double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
     most = std::max(most, 2 * k.facet + 6 * k.hinge / (l * l) + k.tension / l);
   }
   if (contacts && !system.state.radius.empty())
-    most = std::max(most, contacts->law().spring(
-                              2 * *std::min_element(system.state.radius.begin(), system.state.radius.end())));
+    most = std::max(most, contacts->laws().most([sigma = 2 * *std::min_element(system.state.radius.begin(),
+                                                                               system.state.radius.end())](
+                                                    const BodyLaw& law) { return law.spring(sigma); }));
   return most;
 }
 

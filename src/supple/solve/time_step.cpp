@@ -31,7 +31,8 @@ double further_contacts(const System<2>& system, const ForceField& forces) {
   double largest = 0;
   for (int i = 0; i < system.state.size(); ++i) {
     const double sigma = 2 * system.state.radius[i];
-    double spring = forces.bodies() ? 6 * forces.bodies()->law().stiffness(0.5 * sigma, sigma) : 0;
+    const auto stiffness = [&](const BodyLaw& law) { return law.stiffness(0.5 * sigma, sigma); };
+    double spring = forces.bodies() ? 6 * forces.bodies()->laws().most(stiffness) : 0;
     if (const auto& walls = forces.walls())
       spring += walls->repulsion.spring(sigma) *
                 std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);

@@ -118,6 +118,14 @@ std::vector<BodyTermData> read_body_terms(const h5::Group& group, int bodies) {
   return terms;
 }
 
+std::vector<std::int32_t> read_species(const h5::Group& group, int bodies) {
+  auto species = group.read<std::int32_t>("species");
+  expect_state(species.size() == static_cast<std::size_t>(bodies), group, "species and bodies disagree");
+  for (const std::int32_t s : species)
+    expect_state(0 <= s && s < bodies, group, "a body of a species that cannot be");
+  return species;
+}
+
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   Shape shape;

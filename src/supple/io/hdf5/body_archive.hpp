@@ -24,6 +24,8 @@ void write_shape(h5::Group group, const Shape& shape);
 void write_body_terms(h5::Group group, const std::vector<BodyTermData>& terms);
 /// Throws a file error where there are more rows than bodies.
 std::vector<BodyTermData> read_body_terms(const h5::Group& group, int bodies);
+/// The species of the bodies in a group of a system. Throws a file error where they are not one for each.
+std::vector<std::int32_t> read_species(const h5::Group& group, int bodies);
 /// Throws a file error where the preferred shapes do not fit the bodies.
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);

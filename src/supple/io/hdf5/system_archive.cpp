@@ -165,6 +165,8 @@ void write_system(h5::Group& group, const System<Dim>& system) {
   write_topology(group.create_group("topology"), system.topology);
   if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape);
   if (!system.terms.empty()) write_body_terms(group.create_group("terms"), system.terms);
+  if (!system.species.empty())
+    group.write("species", system.species).set("meaning", "of each body, from 0, as the case has them");
   if (!system.rigid.empty()) write_rigid_bodies(group.create_group("rigid"), system.rigid);
   write_pairs(group.create_group("pairs"), system.pairs);
   if (!system.touches.rows.empty()) write_touches(group.create_group("touches"), system.touches);
@@ -206,6 +208,7 @@ System<Dim> read_system(const h5::Group& group) {
   system.pairs = read_pairs(group.open_group("pairs"), state.size());
   const int bodies = system.topology.body_count(state.size());
   if (group.has("terms")) system.terms = read_body_terms(group.open_group("terms"), bodies);
+  if (group.has("species")) system.species = read_species(group, bodies);
   if (group.has("touches")) system.touches = read_touches(group.open_group("touches"), state.size(), bodies);
   if (group.has("links")) system.links = read_links(group.open_group("links"), state.size());
   expect_state(!system.topology.begin.empty() || system.pairs.size() == 0 || system.pairs.width > 0, group,

@@ -21,7 +21,8 @@ std::string attribute_name(const std::string& section, const Field<Section>& fie
 void store_case(h5::Object& dataset, const Case& c) {
   for_each_section(c, [&](const std::string& section, const auto& values) {
     using Section = std::decay_t<decltype(values)>;
-    for (const Field<Section>& field : fields<Section>())
+    for (const Field<Section>& field : fields<Section>()) {
+      if (field.role == Role::exception && !c.is_given(attribute_name(section, field))) continue;
       std::visit(
           [&](auto member) {
             using Value = std::decay_t<decltype(values.*member)>;
@@ -30,7 +31,28 @@ void store_case(h5::Object& dataset, const Case& c) {
             else dataset.set(attribute_name(section, field), values.*member);
           },
           field.member);
+    }
   });
+}
+
+/// Makes the sections of a stored case: its species and the pairs of them of which it says something.
+void make_sections(const h5::Object& dataset, Case& c) {
+  while (dataset.has_attribute(species_section(c.species.size()) + ".family")) {
+    Species& last = c.species.emplace_back();
+    const std::string name = species_section(c.species.size() - 1) + ".name";
+    if (dataset.has_attribute(name)) last.name = dataset.text(name);
+  }
+  for (std::size_t a = 0; a < c.species.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      Case with = c;
+      const ContactOfSpecies pair = contact_between(with, name_of_species(c, a), name_of_species(c, b));
+      for (const Field<ContactOfSpecies>& field : fields<ContactOfSpecies>()) {
+        const std::string key = attribute_name(pair_section(pair), field);
+        if (!dataset.has_attribute(key)) continue;
+        contact_between(c, pair.first, pair.second);
+        c.given.insert(key);
+      }
+    }
 }
 
 }  // namespace
@@ -114,7 +136,7 @@ RunInfo read_info(const h5::Group& root) {
 Case read_stored_case(const h5::Group& root) {
   Case c;
   const h5::Object dataset = root.open_dataset("case");
-  while (dataset.has_attribute(species_section(c.species.size()) + ".family")) c.species.emplace_back();
+  make_sections(dataset, c);
   for_each_section(c, [&](const std::string& section, auto& values) {
     using Section = std::decay_t<decltype(values)>;
     for (const Field<Section>& field : fields<Section>()) {

@@ -15,7 +15,7 @@ inline std::string full_key(std::string_view section, std::string_view key) {
   return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key);
 }
 
-inline constexpr std::string_view species = "species";
+inline constexpr std::string_view species = "species", contact = "contact";
 
 /// Sections of the case, and what is a list of them.
 inline std::vector<std::string> section_names(const Case& c) {

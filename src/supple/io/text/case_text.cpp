@@ -103,6 +103,7 @@ std::string write_case(const Case& c, CaseStyle style) {
           section.empty() ? std::string(field.name) : fmt::format("{}.{}", section, field.name);
       std::string line = fmt::format("{} = {}", field.name, value);
       if (style == CaseStyle::commented && !uses(c, key) && !c.is_given(key)) continue;
+      if (style != CaseStyle::all && field.role == Role::exception && !c.is_given(key)) continue;
       if (style != CaseStyle::resolved) {
         if (!c.is_given(key)) line = "# " + line;
         std::string margin = fmt::format("{:<{}}", line, comment_column);
