@@ -198,7 +198,10 @@ TEST_F(PackingFile, WhatTheLayoutCannotHoldIsRefused) {
     return "";
   };
   using S = System<2>;
-  EXPECT_THAT(refused([](S& s) { s.shape.stiffness[2].volume *= 2; }), HasSubstr("different stiffnesses"));
+  EXPECT_THAT(refused([](S& s) {
+                s.terms.push_back({"bulge", 1, {1}});
+              }),
+              HasSubstr("the layout has no bulge"));
   EXPECT_THAT(refused([](S& s) { s.state.radius[1] *= 2; }), HasSubstr("different sizes"));
   EXPECT_THAT(refused([](S& s) { s.shape = {}; }), HasSubstr("no preferred shapes"));
 }

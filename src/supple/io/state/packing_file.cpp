@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "supple/energy/perimeter.hpp"
 #include "supple/geometry/polygon.hpp"
 #include "supple/geometry/self_crossing.hpp"
 #include "supple/io/state/held_keys_json.hpp"
@@ -40,6 +42,36 @@ ShapeSpec read_spec(const JsonNode& root) {
   if (root.has("gamma")) spec.tension = stiffness(root.at("gamma"));
   spec.kind = is_relative(root, "stiffness") ? StiffnessKind::relative : StiffnessKind::absolute;
   return spec;
+}
+
+/// The stiffness of a particle: that of all, but for what the particle says itself.
+ShapeSpec spec_of_particle(const JsonNode& particle, const ShapeSpec& common, bool soft) {
+  ShapeSpec spec = common;
+  const auto read = [&](const char* key, double& of_spec) {
+    if (!particle.has(key)) return;
+    if (!soft) throw particle.at(key).fault("of a particle that does not deform");
+    of_spec = stiffness(particle.at(key));
+  };
+  read("k_a", spec.area);
+  read("k_l", spec.length);
+  read("k_b", spec.bending);
+  read("gamma", spec.tension);
+  return spec;
+}
+
+/// Names of species, which become keys of the packing.
+std::vector<std::string> read_species(const JsonNode& root, HeldKeys& keys) {
+  std::vector<std::string> names;
+  if (!root.has("species")) return names;
+  const JsonNode list = root.at("species");
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const std::string name = list[k].text();
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      throw list[k].fault(fmt::format("is \"{}\" again", name));
+    names.push_back(name);
+    keys[species_section(k) + ".name"] = name == fmt::format("{}", k + 1) ? std::string() : name;
+  }
+  return names;
 }
 
 Vec2 read_vector(const JsonNode& node) {
@@ -120,23 +152,45 @@ Preferred read_preferred(const JsonNode& particle, std::size_t n, StiffnessKind 
 
 bool is_rigid(const JsonNode& particle) { return particle.has("rigid") && particle.at("rigid").truth(); }
 
-void add_particle(const JsonNode& particle, const ShapeSpec& spec, System<2>& system) {
+void add_particle(const JsonNode& particle, const ShapeSpec& common, System<2>& system) {
   const double radius = 0.5 * particle.at("sigma").positive();
   const std::vector<Vec2> vertices = read_vertices(particle.at("x"), system.box);
   const std::size_t n = vertices.size();
   if (n == 1 && is_rigid(particle)) throw particle.at("rigid").fault("of a disc, which is rigid anyway");
+  const bool rigid = is_rigid(particle), soft = n > 1 && !rigid;
+  const ShapeSpec spec = spec_of_particle(particle, common, soft);
+  if (!soft && particle.has("k_perimeter"))
+    throw particle.at("k_perimeter").fault("of a particle that does not deform");
   if (n == 1) return add_disc_body(system, vertices[0], radius);
-  const bool rigid = is_rigid(particle);
   const bool given = !rigid || particle.has("a0") || particle.has("l0") || particle.has("theta0");
   const Preferred p = given ? read_preferred(particle, n, rigid ? StiffnessKind::absolute : spec.kind)
                             : preferred_as_it_is(vertices);
   const ShapeStiffness k =
       rigid ? ShapeStiffness{} : absolute_stiffness(spec, p.area, p.lengths[0], static_cast<int>(n));
+  const int body = system.topology.body_count(system.state.size());
   add_ring(system, vertices, radius, k, p.area, p.lengths, p.angles);
+  if (!particle.has("k_perimeter")) return;
+  const double rest = particle.at("p0").positive(), of_file = stiffness(particle.at("k_perimeter"));
+  set_body_term(system.terms, Perimeter::name, body,
+                std::array{spec.kind == StiffnessKind::relative ? of_file / (rest * rest) : of_file, rest});
+}
+
+/// Keeps the species of the particle that was read last, if the file has any.
+void read_species_of(const JsonNode& particle, const std::vector<std::string>& names, System<2>& system) {
+  if (names.empty()) {
+    if (particle.has("species")) throw particle.at("species").fault("but the file has no list \"species\"");
+    return;
+  }
+  const JsonNode species = particle.at("species");
+  const auto at = std::find(names.begin(), names.end(), species.text());
+  if (at == names.end())
+    throw species.fault(fmt::format("is \"{}\", not one of {}", species.text(), join_names(names)));
+  system.species.push_back(static_cast<std::int32_t>(at - names.begin()));
 }
 
 void read_particle(const JsonNode& particle, const ShapeSpec& spec, StoredPacking& packing) {
-  particle.expect_only({"sigma", "x", "a0", "l0", "theta0", "rigid", "v", "sticks"});
+  particle.expect_only({"sigma", "x", "a0", "l0", "theta0", "rigid", "v", "sticks", "species", "k_a", "k_l",
+                        "k_b", "gamma", "k_perimeter", "p0"});
   System<2>& system = packing.system;
   const int first = system.state.size();
   add_particle(particle, spec, system);
@@ -204,17 +258,22 @@ StoredPacking read_packing_json(const std::string& path) {
   if (root.has("params") && !root.has("particles"))
     throw root.fault(
         "is a state of discs of microgels: start from it by initial.state, not initial.packing;");
-  root.expect_only({"k_a", "k_l", "k_b", "gamma", "k_c", "stiffness", "contact_stiffness", "box", "periodic",
-                    "strain", "walls", "gravity", held_keys_name, "particles", "name", "comment",
-                    "convention", "phi_reported", "expected"});
+  root.expect_only(
+      {"k_a",       "k_l",      "k_b",     "gamma",      "k_c",          "stiffness",    "contact_stiffness",
+       "box",       "periodic", "strain",  "walls",      "gravity",      held_keys_name, "species",
+       "particles", "name",     "comment", "convention", "phi_reported", "expected"});
   packing.system.box = read_cell(root);
   packing.keys = read_held_keys(root);
+  const std::vector<std::string> species = read_species(root, packing.keys);
   packing.environment = read_environment(root, packing.system.box);
   packing.contact = {stiffness(root.at("k_c")), is_relative(root, "contact_stiffness")};
   const ShapeSpec spec = read_spec(root);
   const JsonNode particles = root.at("particles");
   if (particles.size() == 0) throw particles.fault("is empty");
-  for (std::size_t b = 0; b < particles.size(); ++b) read_particle(particles[b], spec, packing);
+  for (std::size_t b = 0; b < particles.size(); ++b) {
+    read_particle(particles[b], spec, packing);
+    read_species_of(particles[b], species, packing.system);
+  }
   std::vector<double>& floor = packing.system.floor_contact;
   if (std::all_of(floor.begin(), floor.end(), [](double at) { return std::isnan(at); })) floor.clear();
   return packing;

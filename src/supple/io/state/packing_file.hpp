@@ -17,6 +17,9 @@
 ///   vertex;
 /// * "rigid": true for a particle of many vertices that is rigid as it stands; it needs no a0, l0 and theta0;
 /// * "v": velocities of the vertices;
+/// * "k_a", "k_l", "k_b", "gamma" of a particle, where they differ from those of all; "k_perimeter" and "p0":
+///   energy (k/2)(p/p0-1)^2 of its perimeter, or (k/2)(p-p0)^2 if absolute;
+/// * "species": list of names in the file, and one of them in each particle, for keys "contact.A.B.k_c";
 /// * "walls": those that stand where the cell is not periodic, of ["left", "right", "floor", "lid"]; all
 ///   unless given;
 /// * "gravity": acceleration downward; "sticks": where vertices stick to the floor, or null;
@@ -49,8 +52,8 @@ StoredPacking as_packing(const InitialState& state);
 StoredPacking read_packing_json(const std::string& path);
 
 /// Writes positions, velocities, shapes, stiffnesses, laws and the cell; positions and preferred shapes to
-/// the last bit, relative stiffnesses and rigid bodies to rounding. Throws an input error where bodies differ
-/// in stiffness, which the layout cannot say.
+/// the last bit, relative stiffnesses and rigid bodies to rounding. Throws an input error where the layout
+/// cannot say what there is, such as links.
 void write_packing_json(const StoredPacking& packing, const std::string& path,
                         Existing existing = Existing::refuse);
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "supple/energy/perimeter.hpp"
 #include "supple/io/state/held_keys_json.hpp"
 #include "supple/model/polygons.hpp"
 
@@ -42,26 +44,26 @@ std::optional<ShapeSpec> spec_of(const System<2>& system, int b, StiffnessKind k
   return spec;
 }
 
-bool nearly_equal(const ShapeSpec& a, const ShapeSpec& b) {
-  const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); };
-  return near(a.area, b.area) && near(a.length, b.length) && near(a.bending, b.bending) &&
-         near(a.tension, b.tension);
-}
+bool nearly(double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(y); }
 
 bool is_rigid(const System<2>& system, int b) {
   return std::binary_search(system.rigid.body.begin(), system.rigid.body.end(), b);
 }
 
-/// The stiffness that all polygons share, rigid ones left out.
-std::optional<ShapeSpec> common_spec(const System<2>& system, StiffnessKind kind) {
-  std::optional<ShapeSpec> common;
+bool is_soft(const System<2>& system, int b) {
+  return system.topology.body_size(b) >= 3 && !is_rigid(system, b);
+}
+
+/// The stiffness of each body that is soft, in this kind; nothing where the kind cannot say one of them.
+std::optional<std::map<int, ShapeSpec>> specs_of(const System<2>& system, StiffnessKind kind) {
+  std::map<int, ShapeSpec> all;
   for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
-    if (system.topology.body_size(b) < 3 || is_rigid(system, b)) continue;
+    if (!is_soft(system, b)) continue;
     const std::optional<ShapeSpec> own = spec_of(system, b, kind);
-    if (!own || (common && !nearly_equal(*own, *common))) return std::nullopt;
-    if (!common) common = own;
+    if (!own) return std::nullopt;
+    all.emplace(b, *own);
   }
-  return common ? common : ShapeSpec{0, 0, 0, 0, kind};
+  return all;
 }
 
 /// A product of squares and their inverses, back at the short number that it was made of.
@@ -99,6 +101,44 @@ Json particle_json(const System<2>& system, int b) {
   return particle;
 }
 
+/// The stiffnesses in which a particle differs from what the file says of all.
+void write_own_spec(const ShapeSpec& own, const ShapeSpec& common, Json& particle) {
+  const auto write = [&](const char* key, double k, double of_all) {
+    if (!nearly(k, of_all)) particle[key] = shortened(k);
+  };
+  write("k_a", own.area, common.area);
+  write("k_l", own.length, common.length);
+  write("k_b", own.bending, common.bending);
+  write("gamma", own.tension, common.tension);
+}
+
+/// The terms of a particle beside its shape energy.
+void write_terms(const System<2>& system, int b, StiffnessKind kind, Json& particle) {
+  for (const BodyTermData& term : system.terms) {
+    if (static_cast<std::size_t>(b) >= term.bodies()) continue;
+    const double* numbers = &term.number[static_cast<std::size_t>(b) * term.width];
+    if (std::all_of(numbers, numbers + term.width, [](double x) { return x == 0; })) continue;
+    if (term.name != Perimeter::name) refuse("the layout has no " + term.name + " of particles");
+    const double rest = numbers[1];
+    particle["k_perimeter"] = shortened(numbers[0] * (kind == StiffnessKind::relative ? rest * rest : 1));
+    particle["p0"] = rest;
+  }
+}
+
+/// By what the sections [contact.A.B] call the species.
+std::vector<std::string> names_of_species(const StoredPacking& packing) {
+  const std::vector<std::int32_t>& species = packing.system.species;
+  if (species.empty()) return {};
+  const std::int32_t count = *std::max_element(species.begin(), species.end()) + 1;
+  std::vector<std::string> names;
+  for (std::int32_t k = 0; k < count; ++k) {
+    const auto name = packing.keys.find(species_section(static_cast<std::size_t>(k)) + ".name");
+    const auto* text = name == packing.keys.end() ? nullptr : std::get_if<std::string>(&name->second);
+    names.push_back(text && !text->empty() ? *text : fmt::format("{}", k + 1));
+  }
+  return names;
+}
+
 void write_spec(const ShapeSpec& spec, Json& root) {
   root["k_a"] = shortened(spec.area);
   root["k_l"] = shortened(spec.length);
@@ -129,20 +169,27 @@ void write_packing_json(const StoredPacking& packing, const std::string& path, E
   const System<2>& system = packing.system;
   if (system.shape.empty()) refuse("its bodies have no preferred shapes");
   if (!system.links.empty()) refuse("its particles are crosslinked, and the layout has no links");
-  if (!system.terms.empty()) refuse("the layout has no " + system.terms.front().name + " of particles");
-  std::optional<ShapeSpec> spec = common_spec(system, StiffnessKind::relative);
-  if (!spec) spec = common_spec(system, StiffnessKind::absolute);
-  if (!spec) refuse("its bodies have different stiffnesses");
+  StiffnessKind kind = StiffnessKind::relative;
+  std::optional<std::map<int, ShapeSpec>> specs = specs_of(system, kind);
+  if (!specs) specs = specs_of(system, kind = StiffnessKind::absolute);
+  const ShapeSpec common =
+      specs->empty() ? ShapeSpec{0, 0, 0, 0, StiffnessKind::relative} : specs->begin()->second;
   Json root;
-  write_spec(*spec, root);
+  write_spec(common, root);
   root["k_c"] = packing.contact.stiffness;
   if (!packing.contact.relative) root["contact_stiffness"] = "absolute";
   write_cell(system.box, root);
   write_environment(packing.environment, root);
   if (const HeldKeys laws = laws_of(packing.keys); !laws.empty()) root[held_keys_name] = held_keys_json(laws);
   Json& particles = root["particles"] = Json::array();
-  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b)
-    particles.push_back(particle_json(system, b));
+  const std::vector<std::string> names = names_of_species(packing);
+  if (!names.empty()) root["species"] = names;
+  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
+    Json& particle = particles.emplace_back(particle_json(system, b));
+    if (!names.empty()) particle["species"] = names[static_cast<std::size_t>(system.species_of(b))];
+    if (const auto own = specs->find(b); own != specs->end()) write_own_spec(own->second, common, particle);
+    write_terms(system, b, kind, particle);
+  }
   NewFile file(path, existing);
   file.write(root.dump(1));
   file.write("\n");
