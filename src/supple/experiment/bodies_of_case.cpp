@@ -132,7 +132,7 @@ std::vector<Species> species_of(const Case& c) {
   if (!c.species.empty()) return c.species;
   const Bodies& b = c.bodies;
   const auto large_count = static_cast<int>(std::lround(b.large_fraction * b.count));
-  Species small{b}, large{b, b.size_ratio}, disc{b};
+  Species small{b, 1, {}}, large{b, b.size_ratio, {}}, disc{b, 1, {}};
   small.count = b.count - large_count;
   large.count = large_count;
   if (b.vertex_rule == "scaled") large.vertices = static_cast<int>(std::lround(b.size_ratio * b.vertices));
