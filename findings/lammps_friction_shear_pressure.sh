@@ -6,7 +6,7 @@
 # Seen: two overlapping spheres, one of them spinning (pair_style gran/hooke), have pxy = 0.00471 with their centres along
 # x and 0 along y: pxy is the sum of r_x F_y alone. With friction r_x F_y and r_y F_x differ for each contact until
 # torques balance, and none of pressure, stress/atom and the thermo output holds the second. Compare shear stresses of two
-# codes in a steady state, or sum r_y F_x from the pairs (compute pair/local) as well.
+# codes in a steady state, or sum r_y F_x from the pairs (compute pair/local, fx + p1) as well.
 #   along x: pxx 0.09 pyy 0 pxy 0.00471238898
 #   along y: pxx 0 pyy 0.09 pxy 0
 set -euo pipefail
