@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "supple/io/run/quantity_tables.hpp"
 #include "supple/io/text/case_file.hpp"
 #include "tests/app/command.hpp"
 #include "tests/paths.hpp"
@@ -39,6 +40,11 @@ std::set<std::string> all_keys() {
 TEST(Guide, ParameterTablesAreThoseOfTheCode) {
   const std::string text = document("docs/parameters.md"), tables = describe_parameters();
   EXPECT_NE(text.find(tables), std::string::npos) << "docs/parameters.md should end with\n" << tables;
+}
+
+TEST(Guide, TablesOfQuantitiesAreThoseOfTheCode) {
+  const std::string text = document("docs/quantities.md"), tables = describe_quantities();
+  EXPECT_NE(text.find(tables), std::string::npos) << "docs/quantities.md should end with\n" << tables;
 }
 
 TEST(Guide, NamesOnlyKeysThatExist) {

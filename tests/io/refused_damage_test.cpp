@@ -86,17 +86,17 @@ TEST_F(RefusedDamage, OfAState) {
   record_bodies();
   const auto read = [](const RunFile& run) { run.final_state(); };
   for (const Refused& r : {
-           Refused{"box/length", Damage::longer, "its box has another dimension"},
+           Refused{"box/length", Damage::longer, "length has another dimension"},
            {"sites/position", Damage::flattened, "position has another dimension"},
            {"sites/velocity", Damage::shorter, "arrays of the sites differ in length"},
            {"sites/radius", Damage::longer, "arrays of the sites differ in length"},
-           {"sites/mobility", Damage::large, "a site of no known mobility"},
+           {"sites/mobility", Damage::large, "mobility: a code without a meaning"},
            {"pairs/second", Damage::shorter, "columns of the pairs differ in length"},
            {"pairs/begin", Damage::large, "pairs and sites disagree"},
            {"pairs/begin", Damage::shorter, "pairs and sites disagree"},
            {"pairs/first", Damage::minus_one, "a pair of sites that do not exist"},
            {"pairs/second", Damage::large, "a pair of sites that do not exist"},
-           {"pairs/state", Damage::large, "in no known state"},
+           {"pairs/state", Damage::large, "state: a code without a meaning"},
            {"topology/begin", Damage::large, "its bodies do not cover the sites"},
            {"topology/facet_begin", Damage::shorter, "its bodies differ in number"},
            {"topology/facet_begin", Damage::large, "facets and bodies disagree"},
@@ -110,7 +110,7 @@ TEST_F(RefusedDamage, OfAState) {
            {"rigid/mass", Damage::shorter, "arrays of the rigid bodies differ in length"},
            {"rigid/body", Damage::large, "rigid bodies and bodies disagree"},
            {"evaluation/force", Damage::shorter, "forces and torques differ in number"},
-           {"evaluation/virial", Damage::shorter, "its virial has another dimension"},
+           {"evaluation/virial", Damage::shorter, "virial has another dimension"},
        })
     EXPECT_THAT(error_of(std::string("final_state/") + r.dataset, r.damage, read), HasSubstr(r.text))
         << r.dataset;

@@ -43,7 +43,7 @@ class SystemArchive : public TemporaryFolder {
   template <int Dim>
   h5::Group written(const System<Dim>& system) const {
     h5::Group root = h5::create_file(in_folder("state.h5"));
-    write_system(root, system);
+    write_system(root, system, si_units());
     return root;
   }
   /// The error of reading a state of polygons that `damage` has changed.
@@ -168,7 +168,7 @@ TEST_F(SystemArchive, FilesOfOlderVersionsOpen) {
   expect_same(read_system<2>(root), system);
 
   h5::Group group = root.create_group("evaluation");
-  write_evaluation(group, sample_evaluation(5));
+  write_evaluation(group, sample_evaluation(5), si_units());
   EXPECT_EQ(read_evaluation<2>(group).energy.wall, 1 / 11.);
   EXPECT_EQ(read_evaluation<2>(group).energy.external, -1 / 13.);
   h5::Group energy = group.open_group("energy");

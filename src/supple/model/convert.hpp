@@ -1,34 +1,54 @@
-/// A system of discs in other units.
+/// A system in other units.
 #pragma once
-#include "supple/model/system.hpp"
-#include "supple/model/units.hpp"
+#include <vector>
+
+#include "supple/core/error.hpp"
+#include "supple/model/quantities.hpp"
 
 namespace supple {
 
-/// Multiplies every quantity of the system by the ratio of its units; what contacts and links remember are
-/// lengths. Shapes, rigid bodies and the floor stay as they are: systems that have them are in reduced units
-/// alone.
+namespace detail {
+
+/// Numbers without a unit: counts, codes and places in tables.
+template <class T>
+void scale(T&, double) {}
+
+inline void scale(double& x, double factor) { x *= factor; }
+template <int Dim>
+void scale(Vec<Dim>& x, double factor) {
+  x *= factor;
+}
+template <class T>
+void scale(std::vector<T>& values, double factor) {
+  for (T& x : values) scale(x, factor);
+}
+template <class Struct>
+void convert_all(Struct& values, const Units& from, const Units& to) {
+  for_each_quantity(values, [&](const auto& quantity, auto& value) {
+    if (const double factor = from.of(quantity.unit) / to.of(quantity.unit); factor != 1)
+      scale(value, factor);
+  });
+}
+
+}  // namespace detail
+
+/// Multiplies every quantity of the system by the ratio of its units (model/quantities.hpp). Input error
+/// where terms act on whole bodies: their numbers have no units.
 template <int Dim>
 void convert(System<Dim>& system, const Units& from, const Units& to) {
-  const double length = from.length / to.length, mass = from.mass / to.mass, time = from.time / to.time;
-  const double speed = from.speed() / to.speed(), inertia = from.inertia() / to.inertia();
-  const auto scale = [](auto& values, double factor) {
-    for (auto& v : values) v *= factor;
-  };
-
-  system.time *= time;
-  system.lag *= time;
-  system.box.length *= length;
-  system.box.strain_rate /= time;
-  scale(system.state.position, length);
-  scale(system.state.velocity, speed);
-  scale(system.state.mass, mass);
-  scale(system.state.radius, length);
-  scale(system.state.spin, 1 / time);
-  scale(system.state.inertia, inertia);
-  scale(system.pairs.history, length);
-  for (Touch& touch : system.touches.rows) touch.elongation *= length;
-  for (Link& link : system.links) link.rest *= length, link.elongation *= length;
+  if (!system.terms.empty())
+    throw input_error("the " + system.terms[0].name + " of particles", "it has no units to convert from",
+                      "keep the units of the state");
+  detail::convert_all(system, from, to);
+  detail::convert_all(system.box, from, to);
+  detail::convert_all(system.state, from, to);
+  detail::convert_all(system.shape, from, to);
+  for (ShapeStiffness& stiffness : system.shape.stiffness) detail::convert_all(stiffness, from, to);
+  detail::convert_all(system.rigid, from, to);
+  detail::scale(system.pairs.history, from.of(meaning_of_history.unit) / to.of(meaning_of_history.unit));
+  for (Touch& touch : system.touches.rows) detail::convert_all(touch, from, to);
+  for (Link& link : system.links) detail::convert_all(link, from, to);
+  detail::scale(system.floor_contact, from.of(meaning_of_floor.unit) / to.of(meaning_of_floor.unit));
 }
 
 }  // namespace supple

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "supple/core/error.hpp"
+#include "supple/io/hdf5/elements.hpp"
 #include "supple/io/text/number_text.hpp"
 
 namespace supple {
@@ -111,28 +112,24 @@ Columns trajectory_stresses(const RunFile& run) {
   return out;
 }
 
-/// Factors from the run's units to those of the trajectories.
+/// Factors from the units of a run to others.
 struct Factors {
-  explicit Factors(const Units& from, const Units& to = particleshear_units())
-      : time(from.time / to.time),
-        length(from.length / to.length),
-        speed(from.speed() / to.speed()),
-        force(from.force() / to.force()),
-        torque(from.torque() / to.torque()) {}
-  double time, length, speed, force, torque;
+  Units from, to;
+  double operator()(const Unit& unit) const { return from.of(unit) / to.of(unit); }
 };
 
-void append_discs(CsvFile& csv, const Frame& frame, const Factors& to) {
+void append_discs(CsvFile& csv, const Frame& frame, const Factors& factor) {
+  const double length = factor(unit::length), speed = factor(unit::speed), force = factor(unit::force);
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
-    csv.cell(frame.position[i][0] * to.length);
-    csv.cell(frame.position[i][1] * to.length);
-    csv.cell(frame.velocity[i][0] * to.speed);
-    csv.cell(frame.velocity[i][1] * to.speed);
+    csv.cell(frame.position[i][0] * length);
+    csv.cell(frame.position[i][1] * length);
+    csv.cell(frame.velocity[i][0] * speed);
+    csv.cell(frame.velocity[i][1] * speed);
     csv.cell(frame.angle[i]);
-    csv.cell(frame.spin[i] / to.time);
-    csv.cell(frame.force[i][0] * to.force);
-    csv.cell(frame.force[i][1] * to.force);
-    csv.cell(frame.torque[i] * to.torque);
+    csv.cell(frame.spin[i] * factor(unit::spin));
+    csv.cell(frame.force[i][0] * force);
+    csv.cell(frame.force[i][1] * force);
+    csv.cell(frame.torque[i] * factor(unit::torque));
     csv.cell(std::int64_t{frame.mobility[i] == Mobility::free});
   }
 }
@@ -174,7 +171,7 @@ std::string neighbors_text(const Frame& frame, double to_length) {
 
 void write_trajectory(const RunFile& run, CsvFile& csv) {
   const RunInfo info = run.info();
-  const Factors to(info.units);
+  const Factors to{info.units, particleshear_units()};
   const Columns stresses = trajectory_stresses(run);
   const std::vector<double> time = run.column("stress", "t");
 
@@ -193,48 +190,51 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
       throw file_error(run.path() + " has no row of stress for frame " + std::to_string(k),
                        "the file is damaged");
     csv.cell(frame.step);
-    csv.cell(frame.time * to.time);
+    csv.cell(frame.time * to(unit::time));
     csv.cell(frame.strain);
-    csv.cell(frame.strain_rate / to.time);
+    csv.cell(frame.strain_rate * to(unit::rate));
     append_discs(csv, frame, to);
     stresses.append_row(csv, row);
-    csv.cell(neighbors_text(frame, to.length));
+    csv.cell(neighbors_text(frame, to(unit::length)));
     csv.end_row();
   }
 }
 
-/// Factors from the units of a run to SI; 1 where it has none.
-struct Si {
-  explicit Si(const Units& units)
-      : has_units(units.name != reduced_units().name), to(units, has_units ? si_units() : units) {}
-  std::string name(const char* name, const char* unit) const {
-    return with_unit(name, has_units ? unit : "");
-  }
-  bool has_units;
-  Factors to;
-};
+/// visit(quantity, value) for all of a contact but the second elongation of the published package.
+template <class Visit>
+void for_each_in_csv(const ContactRow& c, Visit&& visit) {
+  for_each_quantity(c, [&](const auto& q, const auto& value) {
+    if (&value != static_cast<const void*>(&c.elongation_back)) visit(q, value);
+  });
+}
 
 void write_contacts(const RunFile& run, CsvFile& csv) {
-  const Si si(run.info().units);
-  for (const std::string& name :
-       {std::string("frame"), si.name("t", "s"), std::string("first"), std::string("second"),
-        std::string("state"), si.name("elongation", "m"), si.name("normal_force", "N/m"),
-        si.name("elastic_force", "N/m"), si.name("viscous_force", "N/m"), si.name("tangential_force", "N/m"),
-        si.name("force_on_first_x", "N/m"), si.name("force_on_first_y", "N/m")})
-    csv.cell(name);
+  const Units units = run.info().units, si = unit_text(units, unit::time).empty() ? units : si_units();
+  const Factors to_si{units, si};
+  const auto head = [&](std::string name, const Unit& unit) {
+    csv.cell(with_unit(name, unit_text(si, unit)));
+  };
+  const auto in_csv = [](const std::string& name) { return name.substr(std::string("contact_").size()); };
+  head("frame", unit::none);
+  head("t", unit::time);
+  for_each_in_csv(ContactRow{}, [&]<class T>(const auto& q, const T&) {
+    if (std::is_same_v<T, Vec2>) {
+      for (const char* axis : {"x", "y"}) head(std::string("force_on_first_") + axis, q.unit);
+    } else head(in_csv(q.name), q.unit);
+  });
   csv.end_row();
   for (std::int64_t k = 0; k < run.frames(); ++k) {
     const Frame frame = run.frame(k);
     for (const ContactRow& c : frame.contacts) {
       csv.cell(k);
-      csv.cell(frame.time * si.to.time);
-      csv.cell(std::int64_t{c.first});
-      csv.cell(std::int64_t{c.second});
-      csv.cell(std::string(state_name(c.state)));
-      csv.cell(c.elongation * si.to.length);
-      for (const double force :
-           {c.normal_force, c.elastic, c.viscous, c.tangential_force, c.force[0], c.force[1]})
-        csv.cell(force * si.to.force);
+      csv.cell(frame.time * to_si(unit::time));
+      for_each_in_csv(c, [&]<class T>(const auto& q, const T& value) {
+        if constexpr (std::is_same_v<T, ContactState>) csv.cell(std::string(state_name(value)));
+        else if constexpr (std::is_same_v<T, std::int32_t>) csv.cell(std::int64_t{value});
+        else if constexpr (std::is_same_v<T, double>) csv.cell(value * to_si(q.unit));
+        else
+          for (const double x : {value[0], value[1]}) csv.cell(x * to_si(q.unit));
+      });
       csv.end_row();
     }
   }

@@ -8,19 +8,17 @@
 #include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
 #include "supple/model/topology.hpp"
+#include "supple/model/units.hpp"
 
 namespace supple {
 
-/// Throws a file error that names the group and says `what` is wrong, unless `good`.
-void expect_state(bool good, const h5::Group& group, const std::string& what);
-
 template <int Dim>
-void write_topology(h5::Group group, const Topology<Dim>& topology);
+void write_topology(h5::Group group, const Topology<Dim>& topology, const Units& units);
 /// Throws a file error where bodies, facets and hinges do not fit together or the sites.
 template <int Dim>
 Topology<Dim> read_topology(const h5::Group& group, int sites);
 
-void write_shape(h5::Group group, const Shape& shape);
+void write_shape(h5::Group group, const Shape& shape, const Units& units);
 void write_body_terms(h5::Group group, const std::vector<BodyTermData>& terms);
 /// Throws a file error where there are more rows than bodies.
 std::vector<BodyTermData> read_body_terms(const h5::Group& group, int bodies);
@@ -30,7 +28,7 @@ std::vector<std::int32_t> read_species(const h5::Group& group, int bodies);
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
 
-void write_rigid_bodies(h5::Group group, const RigidBodies& rigid);
+void write_rigid_bodies(h5::Group group, const RigidBodies& rigid, const Units& units);
 /// Throws a file error where the rigid bodies do not fit the topology.
 template <int Dim>
 RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);

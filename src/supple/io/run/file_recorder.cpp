@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "supple/core/error.hpp"
+#include "supple/io/hdf5/elements.hpp"
 #include "supple/io/hdf5/system_archive.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "supple/io/run/run_merge.hpp"
@@ -48,7 +49,7 @@ bool try_to(Write&& write) {
 
 /// "12 frames from t = 0.1 s on".
 std::string frame_text(std::span<const Frame> frames, const Units& units) {
-  const std::string unit = unit_text(units, units.time, "s");
+  const std::string unit = unit_text(units, unit::time);
   return fmt::format("{} frame{} from t = {:.6g}{} on", frames.size(), frames.size() == 1 ? "" : "s",
                      frames[0].time, unit.empty() ? "" : " " + unit);
 }
@@ -213,9 +214,9 @@ void FileRecorder::write_new(h5::Group& root) {
   root.write("warnings", warnings_);
   if (final_) {
     h5::Group state = root.create_group("final_state");
-    write_system(state, final_->first);
+    write_system(state, final_->first, info_->units);
     h5::Group evaluation = state.create_group("evaluation");
-    write_evaluation(evaluation, final_->second);
+    write_evaluation(evaluation, final_->second, info_->units);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/path_kind.hpp"
-#include "supple/io/hdf5/body_archive.hpp"
+#include "supple/io/hdf5/elements.hpp"
 #include "supple/io/hdf5/system_archive.hpp"
 
 namespace supple {
@@ -17,13 +17,6 @@ std::vector<std::string> segments_in(const std::string& folder) {
     paths.push_back(folder + "/" + segment_name(static_cast<int>(paths.size())));
   if (paths.empty()) throw file_error(folder + " holds no run", "no segment is complete");
   return paths;
-}
-
-/// Length of an array with one number in a row.
-std::int64_t length_of(const h5::Group& group, const std::string& name) {
-  const h5::Shape shape = group.shape(name);
-  expect_run(shape.size() == 1, group, name + " is no column");
-  return static_cast<std::int64_t>(shape[0]);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -55,8 +48,8 @@ RunFile::RunFile(const std::string& path) : path_(path) {
     if (segments_.size() == 1 && !(root.has_attribute("format") && root.text("format") == run_format))
       throw file_error(path + " is not a run of Supple", "it is HDF5 of another kind, or of another version");
     if (!root.has("frames")) continue;
-    segments_.back().frames = length_of(root, "frames/step");
-    segments_.back().contacts = length_of(root, "frames/contact_first");
+    segments_.back().frames = static_cast<std::int64_t>(rows_in(root, "frames/step"));
+    segments_.back().contacts = static_cast<std::int64_t>(rows_in(root, "frames/contact_first"));
   }
 }
 
@@ -122,7 +115,7 @@ std::int64_t RunFile::rows(const std::string& table) const {
   std::int64_t rows = 0;
   for (std::size_t s = 0; s < segments(); ++s)
     if (const h5::Group tables = segment(s).open_group("tables"); tables.has(table))
-      rows += length_of(tables, table + "/" + name);
+      rows += static_cast<std::int64_t>(rows_in(tables, table + "/" + name));
   return rows;
 }
 
@@ -135,8 +128,8 @@ std::vector<double> RunFile::column(const std::string& table, const std::string&
   std::vector<double> out;
   for (std::size_t s = 0; s < segments(); ++s)
     if (const h5::Group tables = segment(s).open_group("tables"); tables.has(table)) {
-      expect_run(length_of(tables, table + "/" + name) == length_of(tables, table + "/" + names[0]), tables,
-                 "columns of table '" + table + "' differ in length");
+      expect_sound(rows_in(tables, table + "/" + name) == rows_in(tables, table + "/" + names[0]), tables,
+                   "columns of table '" + table + "' differ in length");
       const auto part = tables.read<double>(table + "/" + name);
       out.insert(out.end(), part.begin(), part.end());
     }
@@ -230,7 +223,7 @@ std::pair<System<2>, Evaluation<2>> RunFile::final_state() const {
       const h5::Group state = segment(s).open_group("final_state");
       std::pair<System<2>, Evaluation<2>> both{read_system<2>(state),
                                                read_evaluation<2>(state.open_group("evaluation"))};
-      expect_state(both.second.force.size() == both.first.state.position.size(), state,
+      expect_sound(both.second.force.size() == both.first.state.position.size(), state,
                    "forces and sites differ in number");
       return both;
     }

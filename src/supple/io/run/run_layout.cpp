@@ -7,8 +7,7 @@
 #include <functional>
 
 #include "supple/core/error.hpp"
-#include "supple/io/hdf5/array_views.hpp"
-#include "supple/io/hdf5/system_archive.hpp"
+#include "supple/io/hdf5/elements.hpp"
 
 namespace supple {
 namespace {
@@ -57,15 +56,6 @@ void make_sections(const h5::Object& dataset, Case& c) {
 
 }  // namespace
 
-std::string unit_text(const Units& units, double in_si, const char* si) {
-  if (units.name == reduced_units().name) return "";
-  return in_si == 1 ? si : fmt::format("{:.12g} {}", in_si, si);  // products of units are rounded
-}
-
-void expect_run(bool good, const h5::Object& object, const std::string& what) {
-  if (!good) throw file_error("cannot use the run in " + object.where(), what, "the file is damaged");
-}
-
 std::string partial_folder(const std::string& path) { return path + ".partial"; }
 std::string segment_name(int index) { return fmt::format("segment-{:06}.h5", index); }
 
@@ -91,14 +81,9 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   store_case(stored, resolved);
 
   h5::Group box = root.create_group("box");
-  write_box(box, info.box);
+  write_all(box, info.box, info.units);
   h5::Group discs = root.create_group("discs");
-  discs.write("radius", info.radius).set("unit", unit_text(info.units, info.units.length, "m"));
-  discs.write("mass", info.mass).set("unit", unit_text(info.units, info.units.mass, "kg/m"));
-  discs.write("inertia", info.inertia).set("unit", unit_text(info.units, info.units.inertia(), "kg m"));
-  discs.write("particle", info.particle)
-      .set("meaning",
-           info.body_begin.empty() ? "crosslinked particle of the disc, from 0" : "body of the site, from 0");
+  write_all(discs, info, info.units);
   if (!info.body_begin.empty())
     discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
 }
@@ -108,28 +93,24 @@ RunInfo read_info(const h5::Group& root) {
   info.units = {root.text("units"), root.number("unit_length"), root.number("unit_mass"),
                 root.number("unit_time")};
   for (const double unit : {info.units.length, info.units.mass, info.units.time})
-    expect_run(std::isfinite(unit) && unit > 0, root, "a unit that is none");
+    expect_sound(std::isfinite(unit) && unit > 0, root, "a unit that is none");
   const h5::Group box = root.open_group("box"), discs = root.open_group("discs");
-  info.box = read_box<2>(box);
-  expect_run(is_cell(info.box.length) && std::abs(info.box.strain) < far_away, box, "a cell that is none");
-  info.radius = discs.read<double>("radius");
-  info.mass = discs.read<double>("mass");
-  info.inertia = discs.read<double>("inertia");
-  info.particle = discs.read<std::int32_t>("particle");
+  read_all(box, info.box);
+  expect_sound(is_cell(info.box.length) && std::abs(info.box.strain) < far_away, box, "a cell that is none");
+  read_all(discs, info);
   if (discs.has("body_begin")) info.body_begin = discs.read<std::int32_t>("body_begin");
 
   const std::size_t sites = info.radius.size();
-  expect_run(info.mass.size() == sites && info.inertia.size() == sites && info.particle.size() == sites,
-             discs, "its arrays differ in length");
+  expect_sound(all_have(info, sites), discs, "its arrays differ in length");
   for (std::size_t i = 0; i < sites; ++i)
-    expect_run(info.radius[i] > 0 && std::isfinite(info.radius[i]) && info.particle[i] >= 0 &&
-                   info.particle[i] < static_cast<std::int64_t>(sites),
-               discs, "a site without size, or of a particle that does not exist");
+    expect_sound(info.radius[i] > 0 && std::isfinite(info.radius[i]) && info.particle[i] >= 0 &&
+                     info.particle[i] < static_cast<std::int64_t>(sites),
+                 discs, "a site without size, or of a particle that does not exist");
   const std::vector<std::int32_t>& begin = info.body_begin;
-  expect_run(begin.empty() ||
-                 (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
-                  std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
-             discs, "its bodies do not cover the sites");
+  expect_sound(begin.empty() ||
+                   (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
+                    std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
+               discs, "its bodies do not cover the sites");
   return info;
 }
 

@@ -34,12 +34,6 @@ inline constexpr auto run_format = "supple run 1";
 /// A named number of a run; error < 0: not known.
 using RunValue = MemoryRecorder::Value;
 
-/// The text of a unit that is `in_si` of the SI unit `si`: "m/s", "1e-06 m/s", or nothing where a run has no
-/// units.
-std::string unit_text(const Units& units, double in_si, const char* si);
-
-/// Throws a file error, "the file is damaged", unless `good`; `what` says what cannot be.
-void expect_run(bool good, const h5::Object& object, const std::string& what);
 /// A strain, or a place in cells, that no run reaches.
 inline constexpr double far_away = 1e9;
 /// Whether these can be the lengths of a cell.
