@@ -192,6 +192,27 @@ TEST(LawsOfSpecies, FrictionIsThatOfThePair) {
   }
 }
 
+/// A wound spring is lost when its contact opens: (k_t/2) u^2 of its own pair.
+TEST(LawsOfSpecies, ContactThatOpensLosesTheSpringOfThePair) {
+  System<2> system;
+  system.box.length = {60, 60};
+  add_disc_body(system, {5, 5}, 0.5);
+  add_disc_body(system, {7, 5}, 0.5);
+  const auto contacts = std::make_shared<RoughContacts>(Harmonic{1});
+  LawTable<TouchLaw> laws = TouchLaw{.friction = 1, .k_t = 40};
+  laws.set(0, 1, {.friction = 1, .k_t = 8});
+  for (const auto& [species, k_t] : {std::pair{std::vector{1, 0}, 8.}, {{1, 1}, 40.}}) {
+    system.species = species;
+    system.touches.rows = {{{1, 0, TouchOn::site, {}}, ContactState::stick, 0.2}};
+    system.lag = 0.5;
+    ForceField field(contacts);
+    field.add(std::make_shared<TouchFriction>(contacts, laws));
+    Evaluation<2> out;
+    field.evaluate(system, Detail::energies, out);
+    EXPECT_NEAR(out.energy.sliding_power, 0.5 * k_t * 0.04 / 0.5, 1e-13);
+  }
+}
+
 TEST(LawsOfSpecies, EnergyOfUnlikeParticlesThatRubGoesWhereTheBooksSay) {
   for (const bool smooth : {false, true}) {
     Touching t = smooth ? touching<SmoothContacts>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex)

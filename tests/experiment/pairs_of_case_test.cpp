@@ -223,5 +223,47 @@ interface_reenforcement_central = 0.5
   EXPECT_EQ(found, 0.7);
 }
 
+/// The leapfrog of a sheared mixture resolves the tangential springs and the dashpots of every pair.
+TEST(PairsOfCase, PairThatRubsMostBoundsTheStepOfSheared) {
+  const auto step = [](const std::string& more) {
+    const Case c =
+        read(std::string(mixture) + "[material]\nfriction = 0.1\nrelative_viscosity = 0.01\n" +
+                 "relative_transversal_link_strength = 10\n" + more,
+             {"experiment=oscillatory_shear", "physics=deformable", "particles.permanent_links=false"});
+    Packing packing = make_packing(c, nullptr, 0.3, {Places::apart});
+    const BodyLaws laws = body_laws(c, packing);
+    return sheared_body_step(c, laws, packing);
+  };
+  const double plain = step("");
+  EXPECT_EQ(step("[contact.soft.stiff]\nfriction = 0.2\n"), plain);
+  EXPECT_LT(step("[contact.soft.stiff]\nrelative_viscosity = 1\n"), 0.9 * plain);
+  EXPECT_LT(step("[contact.soft.stiff]\nk_c = 200\n"), 0.2 * plain);
+}
+
+/// Friction of one pair alone: its spring is resolved, and the others do not rub.
+TEST(PairsOfCase, OnePairAloneMayRub) {
+  const std::vector<std::string> sheared{"experiment=oscillatory_shear", "physics=deformable",
+                                         "material.friction=0", "material.relative_viscosity=0"};
+  const auto laws_of = [&](const std::string& more, Packing& packing, double& step) {
+    const Case c = read(std::string(mixture) + more, sheared);
+    packing = make_packing(c, nullptr, 0.3, {Places::apart});
+    const BodyLaws laws = body_laws(c, packing);
+    step = sheared_body_step(c, laws, packing);
+    add_rheology(laws, packing);
+    return laws;
+  };
+  Packing smooth, rough;
+  double of_smooth = 0, of_rough = 0;
+  const std::string springs =
+      "[material]\nrelative_transversal_link_strength = 40\n"
+      "interface_reenforcement_tangential = 1000\n";
+  laws_of(springs, smooth, of_smooth);
+  const BodyLaws laws = laws_of(springs + "[contact.soft.stiff]\nfriction = 0.4\n", rough, of_rough);
+  EXPECT_EQ(laws.touch.common().k_t, 0);
+  EXPECT_GT(laws.touch.of(0, 2).k_t, 0);
+  EXPECT_EQ(rough.field->interactions().size(), smooth.field->interactions().size() + 1);
+  EXPECT_LT(of_rough, 0.5 * of_smooth);
+}
+
 }  // namespace
 }  // namespace supple
