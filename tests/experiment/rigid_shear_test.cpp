@@ -1,8 +1,10 @@
 /// Shear of rigid polygons, alone and among deformable particles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/text/case_file.hpp"
 #include "supple/model/rigid.hpp"
@@ -94,6 +96,67 @@ TEST_P(RigidShear, WorkOfTheBoundaryIsThatOfTheStress) {
   const double booked = energy.column("work_images").back() + energy.column("work_shear_rate").back();
   EXPECT_GT(booked, 0);
   EXPECT_NEAR(work, booked, 0.03 * booked);
+}
+
+/// Between plates that hold vertices and rigid particles: the balance closes with their work, what they and
+/// the images beyond them exert is what does the work, and in a slow shear it is the stress of the sample.
+TEST_P(RigidShear, PlatesDoTheWorkOfTheirStress) {
+  const std::vector<std::string> between_plates{"box.plates=capture", "shear.pre_periods=0.1",
+                                                "shear.post_periods=0.1", "shear.relative_frequency=0.02"};
+  const MemoryRecorder r = result_of(sheared(GetParam(), between_plates));
+  EXPECT_LT(r.get("results", "energy_residual"), 1e-3);
+  const MemoryRecorder::Table& energy = r.tables.at("energy");
+  EXPECT_GT(std::abs(energy.column("work_plates").back()), 1e-6);
+  const std::vector<double> stress = r.tables.at("stress").column("shear_stress_plates"),
+                            strain = r.tables.at("stress").column("strain");
+  double work = 0;
+  for (std::size_t k = 1; k < strain.size(); ++k)
+    work += 0.5 * (stress[k] + stress[k - 1]) * (strain[k] - strain[k - 1]);
+  work *= r.last_system.box.volume() * r.get("constants", "pressure_unit");
+  const double booked = energy.column("work_plates").back() + energy.column("work_images").back();
+  EXPECT_GT(booked, 0);
+  EXPECT_NEAR(work, booked, 0.03 * booked);
+  const double plates = r.get("results", "storage_modulus_plates"),
+               virial = r.get("results", "storage_modulus_virial");
+  // Layers of rigid particles on the plates bear the stress without strain, and are in the virial with less.
+  if (GetParam() == rigid) EXPECT_GT(plates, virial);
+  else EXPECT_NEAR(plates, virial, 0.15 * virial);
+}
+
+TEST(RigidShear, PlatesStayInAStateAndAreLeftBehindElsewhere) {
+  const MemoryRecorder first = result_of(sheared(mixture, {"box.plates=capture", "shear.periods=1"}));
+  const auto on_plates = [](const System<2>& s) {
+    return std::count_if(s.state.mobility.begin(), s.state.mobility.end(), is_plate);
+  };
+  const auto held = on_plates(first.last_system);
+  EXPECT_GT(held, 3);
+  InitialState state;
+  state.system = first.last_system;
+  state.units = reduced_units();
+  const auto held_after = [&](const std::string& text) {
+    Case c = read_case_text(text, "next.toml", {});
+    resolve_family(c);
+    return on_plates(result_of(c, &state).last_system);
+  };
+  const std::string dynamics =
+      "experiment = \"dynamics\"\nphysics = \"deformable\"\n[time]\nsteps = 5\n"
+      "[shear]\nrate = \"0.01 + 0*t\"\n";
+  EXPECT_GE(held_after(dynamics + "[box]\nplates = \"capture\""), held);
+  EXPECT_EQ(held_after(dynamics + "[box]\nplates = \"none\""), 0);
+  state.system.links.clear();  // which would be refused
+  EXPECT_EQ(held_after("experiment = \"jamming\"\n[jamming]\npressure = 1e-2\nstep = 1e-2\n"), 0);
+}
+
+TEST(RigidShear, DeformableParticlesHavePlatesOnlyWhereTheCaseSaysSo) {
+  EXPECT_EQ(sheared(mixture).box.plates, "none");
+  EXPECT_EQ(sheared(mixture, {"box.plates=capture"}).box.plates, "capture");
+  EXPECT_EQ(Case().box.plates, "capture");
+  try {
+    derive(sheared(mixture, {"box.plates=repulsive"}), nullptr);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("only discs are repelled"), std::string::npos) << e.what();
+  }
 }
 
 /// The same smooth polygons of many vertices, once stiff and once rigid.

@@ -75,6 +75,7 @@ Case adopt_state(Case c, const InitialState* initial) {
     if (!c.is_given("physics"))
       if (const auto physics = initial->keys.find("physics"); physics != initial->keys.end())
         c.general.physics = std::get<std::string>(physics->second);
+    resolve_family(c);
     const std::string& file = c.initial.packing.empty() ? c.initial.state : c.initial.packing;
     refuse_other_matter(c, initial->system, file);
     const Matter& matter = *experiment_of(c).matter;

@@ -91,7 +91,7 @@ Experiment body_dynamics() {
           {{"motion.damping motion.kinetic_energy bodies.yield_strain bodies.flow_time", Need::Of::value,
             [](const Case& c) { return !is_sheared(c); },
             "shear.rate = \"0\": sheared particles lose their motion by shear.cool_factor"},
-           {"shear.cool_factor shear.relative_frequency output.tensors particles.permanent_links "
+           {"shear.cool_factor shear.relative_frequency output.tensors box.plates particles.permanent_links "
             "particles.cut particles.cut_lines particles.edge_fuzziness "
             "particles.avoid_horizontal_angle_degree particles.avoid_height_spanning_particles "
             "particles.max_cut_tries particles.remove_link_fraction material.friction contact.A.B.friction "

@@ -148,7 +148,7 @@ const Matter& body_matter() {
                              .doubt = doubt_bodies,
                              .known = keys_of_bodies,
                              .adopt = adopt_bodies,
-                             .curves = {{"total", "total"}, {"virial", "virial"}},
+                             .curves = {{"plates", "plates"}, {"total", "total"}, {"virial", "virial"}},
                              .sites = [](const Case& c) { return sample_size(c).sites; },
                              .describe = describe_bodies};
   return bodies;

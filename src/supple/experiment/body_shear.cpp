@@ -72,6 +72,9 @@ void record_moduli(const BodyStressTable& table, const std::vector<double>& lost
   };
   const Estimate total = record("total", table.total, "the virial with the kinetic part"),
                  virial = record("virial", table.virial, "the virial of shapes, contacts and links");
+  if (!table.plates.empty())
+    record("plates", table.plates,
+           "forces from outside, of plates and of images beyond them, over the width");
   recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"},
                  total.found.cycles);
   warn_if_apart(total, virial, "particles move against each other by inertia; lower shear.relative_frequency",
@@ -99,6 +102,7 @@ std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initia
   Packing packing = make_periodic_packing(c, initial, sheared(set_apart));
   const BodyLaws laws = body_laws(c, packing);
   const OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
+  plates_of_bodies(c);
   return derived_shear(packing, laws, p, damping_of(c, p));
 }
 

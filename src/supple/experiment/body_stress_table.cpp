@@ -2,14 +2,19 @@
 
 #include <string>
 
+#include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/observe/body_stress.hpp"
+#include "supple/observe/energy_balance.hpp"
 #include "supple/observe/summary.hpp"
 
 namespace supple {
 
 BodyStressTable::BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder)
-    : packing_(packing), tensors_(tensors), recorder_(recorder) {
+    : packing_(packing),
+      tensors_(tensors),
+      has_plates_(has_plates(packing.system.state)),
+      recorder_(recorder) {
   const std::string& unit = packing.pressure_symbol;
   std::vector<Column> columns{
       {"t", "", "time since the start of the protocol"},
@@ -18,6 +23,9 @@ BodyStressTable::BodyStressTable(const Packing& packing, bool tensors, Recorder&
       {"shear_stress_virial", unit, "tau from the virial of shapes, contacts and links"},
       {"shear_stress_total", unit, "the same with the kinetic part, of velocities relative to the flow"},
       {"pressure", unit, "(xx + yy)/2 of that virial"}};
+  if (has_plates_)
+    columns.push_back({"shear_stress_plates", unit,
+                       "tau from forces of plates, and of images beyond them, over the width of the cell"});
   if (tensors)
     for (const char* component : {"_00", "_01", "_10", "_11"})
       columns.push_back({std::string("virial") + component, unit, "component of the virial stress"});
@@ -31,6 +39,11 @@ void BodyStressTable::append(const Evaluation<2>& evaluation, double strain_rate
   std::vector<double> row{
       s.time,          s.box.strain, strain_rate, shear_stress(stress), shear_stress(stress) - kinetic,
       pressure(stress)};
+  if (has_plates_) {
+    plates.push_back((plate_moment(s, evaluation) + image_moment(s, evaluation)) /
+                     (s.box.volume() * packing_.pressure_unit));
+    row.push_back(plates.back());
+  }
   if (tensors_) row.insert(row.end(), {stress[0][0], stress[0][1], stress[1][0], stress[1][1]});
   recorder_.append("stress", row);
   time.push_back(s.time);

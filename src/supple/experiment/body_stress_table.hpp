@@ -15,6 +15,7 @@ class BodyStressTable {
   void append(const Evaluation<2>& evaluation, double strain_rate);
 
   std::vector<double> time, virial, total, pressures;
+  std::vector<double> plates;  ///< empty where there were no plates at first
 
  private:
   /// sum m u_x u_y at the instant of the forces [energy], u relative to the flow of the box (that of half a
@@ -23,7 +24,7 @@ class BodyStressTable {
   double kinetic_moment(const Evaluation<2>& evaluation) const;
 
   const Packing& packing_;
-  bool tensors_;
+  bool tensors_, has_plates_;
   Recorder& recorder_;
 };
 

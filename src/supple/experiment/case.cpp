@@ -140,7 +140,9 @@ const Fields<Cell>& fields() {
       {"plates",
        &Cell::plates,
        "",
-       "discs at a plate join it; are only repelled by it; or there are no plates",
+       "discs at a plate join it; are only repelled by it; or there are no plates. Vertices and rigid "
+       "particles "
+       "join it; none unless given",
        any_value,
        {"capture", "repulsive", "none"}},
   };

@@ -5,6 +5,7 @@
 
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/experiments.hpp"
+#include "supple/experiment/used_keys.hpp"
 #include "supple/model/polygons.hpp"
 
 namespace supple {
@@ -36,6 +37,8 @@ void complete_family(const Case& c, const std::string& section, ParticleKind& p)
 void resolve_family(Case& c) {
   if (const Matter& matter = *experiment_of(c).matter; !c.is_given("physics") && asked_matter(c) != &matter)
     c.general.physics = matter.physics;
+  const bool shears_bodies = experiment_of(c).matter == &body_matter() && uses(c, "box.plates");
+  if (shears_bodies && !c.is_given("box.plates")) c.box.plates = "none";
   complete_family(c, "bodies", c.bodies);
   for (std::size_t k = 0; k < c.species.size(); ++k) complete_family(c, species_section(k), c.species[k]);
 }

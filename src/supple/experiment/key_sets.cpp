@@ -34,6 +34,7 @@ UsedKeys rubbing_keys() {
           "-particles.packing_fraction",
           "-particles.bimodal_factor",
           "-particles.cut_top_bottom",
+          "box.plates",
           "material.friction",
           "material.relative_viscosity",
           "contact.A.B.friction",

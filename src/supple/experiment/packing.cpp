@@ -164,6 +164,7 @@ System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
   System<2> system = initial.system;
   if (flow == Flow::stopped) {
     set_strain_rate(system, 0);
+    leave_plates(system);
     system.lag = 0;  // velocities of its end begin this one
     place_sites(system);
     system.touches = {};  // only contacts that rub remember

@@ -33,12 +33,32 @@ void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
                  static_cast<double>(packing.system.links.size()));
 }
 
+Plates plates_of_bodies(const Case& c) {
+  if (c.box.plates == "repulsive")
+    throw input_error("box.plates = \"repulsive\" with deformable particles",
+                      "only discs are repelled by plates", "set it to \"capture\" or \"none\"");
+  return c.box.plates == "capture" ? Plates::capture : Plates::none;
+}
+
+namespace {
+
+/// The packing with its plates in place, or without those of its state.
+Packing& between_plates(const Case& c, Packing& packing) {
+  if (plates_of_bodies(c) == Plates::capture) capture_at_boundaries(packing.system, Plates::capture);
+  else leave_plates(packing.system);
+  return packing;
+}
+
+}  // namespace
+
 ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing& packing, Recorder& recorder)
-    : packing_(packing),
+    : packing_(between_plates(c, packing)),
       recorder_(recorder),
       dynamics_(*packing.field),
       table_(packing, c.output.tensors, recorder),
-      energies_(recorder, dynamics_, packing.system, reduced_units(), c, initial) {}
+      energies_(recorder, dynamics_, packing.system, reduced_units(), c, initial) {
+  dynamics_.set_plates(plates_of_bodies(c));
+}
 
 void ShearedBodies::move(const Course& course) {
   LastGood good(packing_);

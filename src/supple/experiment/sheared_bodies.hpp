@@ -13,6 +13,9 @@ namespace supple {
 /// `making`, with the flow, links and contact memory of a state kept (Flow::kept).
 Making sheared(Making making);
 
+/// The plates of the case; input error where they would repel.
+Plates plates_of_bodies(const Case& c);
+
 /// Links the particles if the case asks for it and they are not linked yet; records the numbers of links and
 /// clusters.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder);

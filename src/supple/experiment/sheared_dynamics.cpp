@@ -22,6 +22,7 @@ std::vector<Derived> derived_dynamics(const Case& c, Packing& packing, const Bod
 std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(set_apart));
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
+  plates_of_bodies(c);
   return derived_dynamics(c, packing, body_laws(c, packing));
 }
 

@@ -1,9 +1,10 @@
 #include "supple/experiment/stress_table.hpp"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "supple/model/body_flow.hpp"
 
 namespace supple {
 
@@ -49,11 +50,6 @@ std::vector<Column> columns(bool tensors, bool plates) {
   return out;
 }
 
-bool has_plates(const System<2>& system) {
-  const std::vector<Mobility>& m = system.state.mobility;
-  return std::any_of(m.begin(), m.end(), [](Mobility k) { return is_plate(k); });
-}
-
 constexpr auto removed_stress = "removed_stress";
 
 double removed_before(const InitialState* initial) {
@@ -69,7 +65,7 @@ StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors, c
     : recorder_(recorder),
       units_(units),
       tensors_(tensors),
-      has_plates_(has_plates(system)),
+      has_plates_(has_plates(system.state)),
       jumps_(removed_before(initial)) {
   recorder_.declare("stress", columns(tensors, has_plates_));
 }

@@ -41,8 +41,7 @@ void take_state(Suspension& s, const Case& c, const InitialState& initial, int h
   const Plates kind = plates_of(c);
   s.stepper->set_plates(kind);
   if (kind == Plates::capture) return capture_at_boundaries(s.system, kind);
-  for (Mobility& m : s.system.state.mobility)
-    if (m == Mobility::lower_plate || m == Mobility::upper_plate) m = Mobility::free;
+  leave_plates(s.system);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #include "supple/model/body_flow.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "supple/model/rigid.hpp"
 #include "supple/model/row_separation.hpp"
@@ -48,6 +49,11 @@ void add_motion(System<2>& system, int b, double factor, const Vec2& centre, con
     for_sites(system, b,
               [&](int i) { s.velocity[i] += factor * (velocity + cross(spin, s.position[i] - centre)); });
   }
+}
+
+/// The upper plate is the lower one of the next cell.
+void change_plate(Mobility& m) {
+  if (is_plate(m)) m = m == Mobility::upper_plate ? Mobility::lower_plate : Mobility::upper_plate;
 }
 
 }  // namespace
@@ -103,6 +109,15 @@ void set_strain_rate(System<2>& system, double rate) {
   }
 }
 
+bool has_plates(const State<2>& state) {
+  return std::any_of(state.mobility.begin(), state.mobility.end(), is_plate);
+}
+
+void leave_plates(System<2>& system) {
+  for (Mobility& m : system.state.mobility)
+    if (is_plate(m)) m = Mobility::free;
+}
+
 void damp(System<2>& system, double factor, Drag drag) {
   State<2>& s = system.state;
   RigidBodies& rigid = system.rigid;
@@ -154,6 +169,7 @@ bool wrap_bodies(System<2>& system) {
         s.velocity[i] += velocity;
       });
     }
+    if (std::fmod(n[gradient], 2) != 0) for_sites(system, b, [&](int i) { change_plate(s.mobility[i]); });
     if (body.empty()) body = bodies_of_sites(system.topology, s.size());
     follow_body(system, body, b, n);
     moved = true;

@@ -22,6 +22,11 @@ Vec2 centre_of_mass(const System<2>& system, int body);
 /// later, by the forces.
 void set_strain_rate(System<2>& system, double rate);
 
+/// Whether any site moves with a plate.
+bool has_plates(const State<2>& state);
+/// Sites that moved with plates are free again.
+void leave_plates(System<2>& system);
+
 /// What a drag acts on. bodies: the motion of each as a whole, so that the motion of its sites beyond this
 /// rigid part stays; sites: each by itself. Discs and rigid bodies are wholes in either case.
 enum class Drag { bodies, sites };

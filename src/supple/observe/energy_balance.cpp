@@ -22,30 +22,43 @@ double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
   return power;
 }
 
-/// Power of what moves the plates: it works against the forces of contacts on the plate discs.
+/// Power of what moves the plates: it works against all forces on what it moves.
 double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   double power = 0;
-  for (int i = 0; i < s.size(); ++i)
+  for_sites_apart(system, [&](int i) {
     if (s.mobility[i] != Mobility::free) power -= dot(evaluation.force[i], s.velocity[i]);
+  });
+  for (int r = 0; r < system.rigid.size(); ++r)
+    if (held(system, r))
+      power -= dot(force_on_rigid(system, evaluation.force, r).force, system.rigid.velocity[r]);
   return power;
 }
 
-/// Power of the sheared images. The image n_y cells up moves at n_y Ly rate beyond its original, so that a
-/// contact with it, of force F on the site here, adds F_x n_y Ly rate to the energy. sum F_x n_y Ly is what
-/// sum f_x y over the sites has beyond the virial sum F_x l_y, apart from walls, and from what keeps rigid
-/// bodies together.
+/// Power of the sheared images: the image n_y cells up moves at n_y Ly rate beyond its original.
 double image_power(const System<2>& system, const Evaluation<2>& evaluation) {
-  if (system.box.strain_rate == 0) return 0;
+  const double rate = system.box.strain_rate;
+  return rate == 0 ? 0 : rate * image_moment(system, evaluation);
+}
+
+}  // namespace
+
+double image_moment(const System<2>& system, const Evaluation<2>& evaluation) {
   double sum = (rigid_virial(system, evaluation.force) + -1.0 * evaluation.virial)[flow][gradient];
   for (int i = 0; i < system.state.size(); ++i)
     sum += evaluation.force[i][flow] * system.state.position[i][gradient];
   for (const SiteForce<2>& wall : evaluation.wall)
     sum -= wall.force[flow] * system.state.position[wall.site][gradient];
-  return system.box.strain_rate * sum;
+  return sum;
 }
 
-}  // namespace
+double plate_moment(const System<2>& system, const Evaluation<2>& evaluation) {
+  double sum = 0;
+  for (int i = 0; i < system.state.size(); ++i)
+    if (const Mobility m = system.state.mobility[i]; is_plate(m))
+      sum -= (m == Mobility::upper_plate ? 0.5 : -0.5) * evaluation.force[i][flow];
+  return sum * system.box.length[gradient];
+}
 
 EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluation) {
   const EnergyParts& e = evaluation.energy;

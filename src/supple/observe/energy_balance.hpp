@@ -15,6 +15,15 @@ struct EnergyState {
 /// The energy at the instant of `evaluation`, which must hold energies (Detail::energies).
 EnergyState energy_state(const System<2>& system, const Evaluation<2>& evaluation);
 
+/// What a change of the shear strain would do by the sheared images [energy]: sum F_x n_y Ly over contacts, F
+/// on the site here by the image n_y cells up. It is what sum f_x y over the sites has beyond the virial sum
+/// F_x l_y, apart from walls, and from what keeps rigid bodies together. The evaluation must hold the virial.
+double image_moment(const System<2>& system, const Evaluation<2>& evaluation);
+
+/// The same by the plates: half of Ly times the difference of the forces along the flow that drive the upper
+/// and the lower one. Their power is this, and that of the images, times the shear rate.
+double plate_moment(const System<2>& system, const Evaluation<2>& evaluation);
+
 /// Work done on the sites, and energy lost, since the account was opened [energy].
 struct EnergyFlows {
   double plates = 0;  ///< work on discs that plates move, less what a disc loses when a plate takes it

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "supple/core/error.hpp"
@@ -18,16 +19,23 @@ Vec2 plate_velocity(const Box<2>& box, Mobility m) {
   return v;
 }
 
-/// The one place of constraints: sites that are not free have the velocity of what holds them, and rigid
-/// bodies with such a site rest. Discs may turn in any case.
+Mobility mobility_of_body(const System<2>& system, int b) {
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+    if (system.state.mobility[i] != Mobility::free) return system.state.mobility[i];
+  return Mobility::free;
+}
+
+/// The one place of constraints: sites that are not free, and rigid bodies with such a site, have the
+/// velocity of what holds them. Discs may turn in any case.
 void hold(System<2>& system) {
   State<2>& s = system.state;
   for_sites_apart(system, [&](int i) {
     if (s.mobility[i] != Mobility::free) s.velocity[i] = plate_velocity(system.box, s.mobility[i]);
   });
   for (int r = 0; r < system.rigid.size(); ++r) {
-    if (!held(system, r)) continue;
-    system.rigid.velocity[r] = {};
+    const Mobility m = mobility_of_body(system, system.rigid.body[r]);
+    if (m == Mobility::free) continue;
+    system.rigid.velocity[r] = plate_velocity(system.box, m);
     system.rigid.spin[r] = 0;
     place_sites(system, r);
   }
@@ -80,17 +88,25 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
   if (plates != Plates::capture) return;
   State<2>& s = system.state;
   const Box<2>& box = system.box;
-  const auto touches = [&](int i, int d) {
-    return !(s.radius[i] < s.position[i][d] && s.position[i][d] < box.length[d] - s.radius[i]);
+  const auto is_within = [&](int i, int d, double margin) {
+    return margin < s.position[i][d] && s.position[i][d] < box.length[d] - margin;
+  };
+  // Parts of a body may be beyond the plate that it touches, in the next cell.
+  const auto is_at_plate = [&](int i) {
+    return box.periodic[gradient] && !is_within(i, gradient, s.radius[i]) &&
+           is_within(i, gradient, -s.radius[i]);
   };
   for (int i = 0; i < s.size(); ++i) {
     if (s.mobility[i] != Mobility::free) continue;
-    if (box.periodic[gradient] && touches(i, gradient))
+    if (is_at_plate(i))
       s.mobility[i] = s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate
                                                                            : Mobility::lower_plate;
     for (int d = 0; d < 2; ++d)
-      if (!box.periodic[d] && touches(i, d)) s.mobility[i] = Mobility::fixed;
+      if (!box.periodic[d] && !is_within(i, d, s.radius[i])) s.mobility[i] = Mobility::fixed;
   }
+  for (const std::int32_t b : system.rigid.body)
+    std::fill(s.mobility.begin() + system.topology.body_begin(b),
+              s.mobility.begin() + system.topology.body_end(b), mobility_of_body(system, b));
 }
 
 void Mover::set_drag(double rate) {

@@ -78,8 +78,8 @@ class Mover : public Stepper {
   EnergyBalance* account_ = nullptr;
 };
 
-/// With Plates::capture, free discs that touch a plate (y = 0 or y = Ly of a periodic cell) join it, and free
-/// discs that touch the end of a direction that is not periodic are fixed there.
+/// With Plates::capture, free sites that touch a plate (y = 0 or y = Ly of a periodic cell) join it, and free
+/// sites that touch the end of a direction that is not periodic are fixed there; a rigid body as a whole.
 void capture_at_boundaries(System<2>& system, Plates plates);
 
 }  // namespace supple

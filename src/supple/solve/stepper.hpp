@@ -12,8 +12,8 @@ struct ShearRates {
   double now = 0, mid = 0;
 };
 
-/// What the plates do. none: there are none (plain Lees-Edwards); capture: every disc that reaches a plate
-/// moves with it; repulsive: they repel discs.
+/// What the plates do. none: there are none (plain Lees-Edwards); capture: every disc, vertex or rigid body
+/// that reaches a plate moves with it; repulsive: they repel discs.
 enum class Plates { none, capture, repulsive };
 
 class EnergyBalance;
