@@ -44,7 +44,7 @@ void hold(System<2>& system) {
 void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
   State<2>& s = system.state;
   for_sites_apart(system, [&](int i) {
-    s.spin[i] += time / s.inertia[i] * evaluation.torque[i];
+    if (evaluation.torque[i] != 0) s.spin[i] += time / s.inertia[i] * evaluation.torque[i];  // no vertex
     s.velocity[i] += time / s.mass[i] * evaluation.force[i];
   });
   RigidBodies& rigid = system.rigid;
@@ -59,20 +59,21 @@ void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
 
 void drift(System<2>& system, double dt) {
   State<2>& s = system.state;
+  double finite = 0;  // becomes NaN with the first value that is not finite
   for_sites_apart(system, [&](int i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
+    finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   });
   RigidBodies& rigid = system.rigid;
   for (int r = 0; r < rigid.size(); ++r) {
     rigid.angle[r] += dt * rigid.spin[r];
     rigid.centre[r] += dt * rigid.velocity[r];
+    finite += 0 * (rigid.centre[r][0] + rigid.centre[r][1] + rigid.angle[r]);
   }
   system.box.strain += system.box.strain_rate * dt;
   system.lag = dt;
   place_sites(system);
-  double finite = 0;  // becomes NaN with the first value that is not finite
-  for (int i = 0; i < s.size(); ++i) finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
   for (int i = 0; finite != 0 && i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
       throw numerics_error(fmt::format("site {} is not finite at step {}", i, system.step + 1),
