@@ -82,6 +82,29 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
 /// Which way the list is walked; a column of the table.
 enum class Branch { compression = 1, decompression = -1 };
 
+/// A pressure of the list, reached.
+struct Place : PackingInstant {
+  Branch branch;
+  NetworkChange change;
+};
+
+Observables<Place> place_observables(const Packing& packing) {
+  using P = Place;
+  Observables<P> all = packing_observables(packing.pressure_symbol);
+  all.add({{{"branch", "", "1: compression, -1: decompression"},
+            [](const P& p) { return static_cast<double>(p.branch); }},
+           {{"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"},
+            [](const P& p) { return p.change.lost; }},
+           {{"new_contacts", "", "pairs of particles that touch and did not at the pressure before"},
+            [](const P& p) { return p.change.made; }},
+           {{"displacement", "small diameter",
+             "largest motion of a particle relative to the strain since the pressure before"},
+            [](const P& p) { return p.change.displacement; }},
+           {{"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"},
+            [](const P& p) { return p.change.rearranged(); }}});
+  return all;
+}
+
 /// Packing fractions and pressures of a branch, and whether the packing rearranged on the way to each.
 struct Course {
   std::vector<double> packing_fraction, pressure;
@@ -117,16 +140,8 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   std::vector<double> ascent = list;
   Packing packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_compression(c, initial), recorder);
-  std::vector<Column> columns = packing_columns(packing);
-  columns.push_back({"branch", "", "1: compression, -1: decompression"});
-  columns.push_back(
-      {"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"});
-  columns.push_back({"new_contacts", "", "pairs of particles that touch and did not at the pressure before"});
-  columns.push_back({"displacement", "small diameter",
-                     "largest motion of a particle relative to the strain since the pressure before"});
-  columns.push_back(
-      {"rearranged", "", "1: a particle moved by more than 0.1 and a contact was lost or made"});
-  recorder.declare("packing", columns);
+  const Observables<Place> observables = place_observables(packing);
+  observables.declare("packing", recorder);
   JamSpec spec = jam_spec(c);
   JamProgress last;
   Snapshot before;
@@ -148,17 +163,13 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     last.minimisations += before_this.minimisations;
     last.unconverged += before_this.unconverged;
     const PackingReport report = report_packing(packing);
-    std::vector<double> row = packing_row(packing, report, last);
     Snapshot now = take_snapshot(packing, report);
-    const NetworkChange change = compare(before, now);
-    for (const double x :
-         {static_cast<double>(branch), change.lost, change.made, change.displacement, change.rearranged()})
-      row.push_back(x);
-    recorder.append("packing", row);
+    const Place place{{packing, report, last}, branch, compare(before, now)};
+    observables.append("packing", place, recorder);
     Course& course = branch == Branch::compression ? up : down;
     course.packing_fraction.push_back(report.fraction.total);
-    course.pressure.push_back(row[1]);  // full pressure
-    course.rearranged.push_back(change.rearranged());
+    course.pressure.push_back(supple::pressure(place.stress()));
+    course.rearranged.push_back(place.change.rearranged());
     recorder.frame(packing_frame(packing, report));
     before = std::move(now);
     ++done;

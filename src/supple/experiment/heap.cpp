@@ -101,37 +101,34 @@ Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2
 
 bool is_at_rest(const Heap& heap, double motion) { return heap.motion < motion && heap.imbalance < 0.01; }
 
-std::vector<Column> heap_columns() {
-  return {{"time", "", "time"},
-          {"kinetic_energy", "", "kinetic energy"},
-          {"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
-          {"total_energy", "", "their sum"},
-          {"height", "", "mean height of the mass"},
-          {"front", "", "rightmost end of a particle"},
-          {"top", "", "highest end of a particle"},
-          {"spread", "", "twice the mean distance of the mass from the left wall"},
-          {"slope", "", "of the line through the surface, downward to the right"},
-          {"floor_force", "weight", "upward force of the floor; 1 at rest"},
-          {"left_force", "weight", "force of the left wall, to the right"},
-          {"right_force", "weight", "force of the right wall, to the left"},
-          {"drag", "weight", "friction of the floor, to the right; at rest all three add to 0"}};
-}
-
-std::vector<double> heap_row(const Heap& h) {
-  return {h.time,      h.kinetic, h.potential, h.kinetic + h.potential, h.height,     h.front,
-          h.top,       h.spread,  h.slope,     h.walls.floor,           h.walls.left, h.walls.right,
-          h.walls.drag};
-}
-
-std::vector<std::pair<Column, double>> heap_results(const Heap& h) {
-  return {{{"time", "", "time"}, h.time},
-          {{"front", "", "rightmost end of a particle"}, h.front},
-          {{"top", "", "highest end of a particle"}, h.top},
-          {{"spread", "", "twice the mean distance of the mass from the left wall"}, h.spread},
-          {{"slope", "", "slope of the surface, downward to the right,"}, h.slope},
-          {{"floor_force", "weight", "upward force of the floor"}, h.walls.floor},
-          {{"motion", "", "kinetic energy over that of a fall by one diameter"}, h.motion},
-          {{"imbalance", "weight", "largest net force on a particle over its weight"}, h.imbalance}};
+const Observables<Heap>& heap_observables() {
+  using H = Heap;
+  static const Observables<H> all{
+      {{"time", "", "time"}, [](const H& h) { return h.time; }},
+      {{"kinetic_energy", "", "kinetic energy"}, [](const H& h) { return h.kinetic; }},
+      {{"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
+       [](const H& h) { return h.potential; }},
+      {{"total_energy", "", "their sum"}, [](const H& h) { return h.kinetic + h.potential; }},
+      {{"height", "", "mean height of the mass"}, [](const H& h) { return h.height; }},
+      {{"front", "", "rightmost end of a particle"}, [](const H& h) { return h.front; }},
+      {{"top", "", "highest end of a particle"}, [](const H& h) { return h.top; }},
+      {{"spread", "", "twice the mean distance of the mass from the left wall"},
+       [](const H& h) { return h.spread; }},
+      {{"slope", "", "slope of the line through the surface, downward to the right"},
+       [](const H& h) { return h.slope; }},
+      {{"floor_force", "weight", "upward force of the floor; 1 at rest"},
+       [](const H& h) { return h.walls.floor; }},
+      {{"left_force", "weight", "force of the left wall, to the right"},
+       [](const H& h) { return h.walls.left; }},
+      {{"right_force", "weight", "force of the right wall, to the left"},
+       [](const H& h) { return h.walls.right; }},
+      {{"drag", "weight", "friction of the floor, to the right; at rest all three add to 0"},
+       [](const H& h) { return h.walls.drag; }},
+      {{"motion", "", "kinetic energy over that of a fall by one diameter"},
+       [](const H& h) { return h.motion; }},
+      {{"imbalance", "weight", "largest net force on a particle over its weight"},
+       [](const H& h) { return h.imbalance; }}};
+  return all;
 }
 
 }  // namespace supple

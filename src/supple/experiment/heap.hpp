@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "supple/experiment/recorder.hpp"
+#include "supple/experiment/observable.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/observe/wall_forces.hpp"
 
@@ -30,11 +30,8 @@ Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2
 /// bears the weight.
 bool is_at_rest(const Heap& heap, double motion);
 
-/// Columns and a row of the table of a heap.
-std::vector<Column> heap_columns();
-std::vector<double> heap_row(const Heap& heap);
-/// What a run records of the heap at the end.
-std::vector<std::pair<Column, double>> heap_results(const Heap& heap);
+/// The columns of the table of a heap.
+const Observables<Heap>& heap_observables();
 
 /// Weight of all sites [force].
 double weight(const System<2>& system, ForceField& field);

@@ -32,26 +32,27 @@ std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derived_equilibria(packing), recorder);
-  recorder.declare("packing", {{"packing_fraction", "", "covered area over area of the cell"},
-                               {"pressure", packing.pressure_symbol, "full virial pressure (9.26)"},
-                               {"contact_pressure", packing.pressure_symbol, "pressure by contacts alone"},
-                               {"energy", "", "potential energy"},
-                               {"residual", "", "largest net force on a vertex"},
-                               {"evaluations", "", "force evaluations so far"},
-                               {"unsound", "", unsound_meaning}});
+  const std::string& unit = packing.pressure_symbol;
+  using P = JamProgress;
+  const Observables<P> observables{
+      {{"packing_fraction", "", "covered area over area of the cell"},
+       [&](const P& p) { return reached_fraction(packing, p); }},
+      {{"pressure", unit, "full virial pressure (9.26)"}, [](const P& p) { return p.state.full_pressure; }},
+      {{"contact_pressure", unit, "pressure by contacts alone"},
+       [](const P& p) { return p.state.contact_pressure; }},
+      {{"energy", "", "potential energy"}, [](const P& p) { return p.state.energy; }},
+      {{"residual", "", "largest net force on a vertex"}, [](const P& p) { return p.last.residual; }},
+      {{"evaluations", "", "force evaluations so far"},
+       [](const P& p) { return static_cast<double>(p.evaluations); }},
+      {{"unsound", "", unsound_meaning},
+       [&](const P&) { return static_cast<double>(look_at(packing).bodies()); }}};
+  observables.declare("packing", recorder);
   WayToJam way(c.jamming.pressure);
   const auto watch = [&](const JamProgress& p) {
-    const double phi = reached_fraction(packing, p);
-    const double row[] = {phi,
-                          p.state.full_pressure,
-                          p.state.contact_pressure,
-                          p.state.energy,
-                          p.last.residual,
-                          static_cast<double>(p.evaluations),
-                          static_cast<double>(look_at(packing).bodies())};
-    if (p.settled) recorder.append("packing", row);
-    recorder.progress(fmt::format("jam: phi = {:.4f}, P = {:.2e}", phi, p.state.pressure),
-                      static_cast<std::int64_t>(999 * way.share(p)), 1000);
+    if (p.settled) observables.append("packing", p, recorder);
+    recorder.progress(
+        fmt::format("jam: phi = {:.4f}, P = {:.2e}", reached_fraction(packing, p), p.state.pressure),
+        static_cast<std::int64_t>(999 * way.share(p)), 1000);
     return !recorder.stop_requested();
   };
   try {

@@ -127,40 +127,35 @@ PackingReport report_packing(Packing& packing) {
   return r;
 }
 
-std::vector<Column> packing_columns(const Packing& packing) {
-  const std::string& unit = packing.pressure_symbol;
+Observables<PackingInstant> packing_observables(const std::string& symbol) {
+  using P = PackingInstant;
   return {
-      {"packing_fraction", "", "covered area over area of the cell"},
-      {"pressure", unit, "full virial pressure (9.26)"},
-      {"contact_pressure", unit, "pressure by contacts alone"},
-      {"stress_xx", unit, "full stress, compression positive"},
-      {"stress_yy", unit, "full stress, compression positive"},
-      {"stress_xy", unit, "full stress, compression positive"},
-      {"energy", "", "potential energy"},
-      {"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-      {"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
-      {"residual", "", "largest net force on a vertex, or on a rigid particle"},
-      {"tolerance", "", "residual at which its minimisation was done"},
-      {"evaluations", "", "force evaluations so far"},
-      {"unsound", "", unsound_meaning}};
-}
-
-std::vector<double> packing_row(const Packing& packing, const PackingReport& r, const JamProgress& work) {
-  const bool moves = work.minimisations == 0;
-  const Mat2 stress = (1 / packing.pressure_unit) * (moves ? r.stresses.total() : r.stresses.virial());
-  return {r.fraction.total,
-          pressure(stress),
-          pressure(r.stresses.contact) / packing.pressure_unit,
-          stress[0][0],
-          stress[1][1],
-          -shear_stress(stress),
-          r.evaluation.energy.stored(),
-          r.numbers.mean(),
-          static_cast<double>(std::count(r.rattlers.begin(), r.rattlers.end(), 1)),
-          largest_net_force(packing.system, r.evaluation.force),
-          work.last.tolerance,
-          static_cast<double>(work.evaluations),
-          static_cast<double>(r.soundness.bodies())};
+      {{"packing_fraction", "", "covered area over area of the cell"},
+       [](const P& p) { return p.report.fraction.total; }},
+      {{"pressure", symbol, "full virial pressure (9.26)"}, [](const P& p) { return pressure(p.stress()); }},
+      {{"contact_pressure", symbol, "pressure by contacts alone"},
+       [](const P& p) { return pressure(p.report.stresses.contact) / p.packing.pressure_unit; }},
+      {{"stress_xx", symbol, "full stress, compression positive"},
+       [](const P& p) { return p.stress()[0][0]; }},
+      {{"stress_yy", symbol, "full stress, compression positive"},
+       [](const P& p) { return p.stress()[1][1]; }},
+      {{"stress_xy", symbol, "full stress, compression positive"},
+       [](const P& p) { return -shear_stress(p.stress()); }},
+      {{"energy", "", "potential energy"}, [](const P& p) { return p.report.evaluation.energy.stored(); }},
+      {{"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
+       [](const P& p) { return p.report.numbers.mean(); }},
+      {{"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
+       [](const P& p) {
+         return static_cast<double>(std::count(p.report.rattlers.begin(), p.report.rattlers.end(), 1));
+       }},
+      {{"residual", "", "largest net force on a vertex, or on a rigid particle"},
+       [](const P& p) { return largest_net_force(p.packing.system, p.report.evaluation.force); }},
+      {{"tolerance", "", "residual at which its minimisation was done"},
+       [](const P& p) { return p.work.last.tolerance; }},
+      {{"evaluations", "", "force evaluations so far"},
+       [](const P& p) { return static_cast<double>(p.work.evaluations); }},
+      {{"unsound", "", unsound_meaning},
+       [](const P& p) { return static_cast<double>(p.report.soundness.bodies()); }}};
 }
 
 Frame packing_frame(const Packing& packing, const PackingReport& r, Surroundings surroundings) {
@@ -200,16 +195,13 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
                     Surroundings surroundings) {
   const PackingReport r = report_packing(packing);
   recorder.frame(packing_frame(packing, r, surroundings));
-  const bool moves = progress.minimisations == 0, open = surroundings == Surroundings::open;
-  const auto is_left_out = [&](const std::string& name) {
+  const PackingInstant instant{packing, r, progress};
+  const bool moves = instant.moves(), open = surroundings == Surroundings::open;
+  packing_observables(packing.pressure_symbol).record(instant, recorder, [&](std::string_view name) {
     const bool of_cell =
         name == "packing_fraction" || name.find("pressure") != name.npos || name.starts_with("stress");
-    return (open && of_cell) || (moves && (name == "tolerance" || name == "evaluations"));
-  };
-  const std::vector<Column> columns = packing_columns(packing);
-  const std::vector<double> row = packing_row(packing, r, progress);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    if (!is_left_out(columns[k].name)) recorder.value("results", columns[k], row[k]);
+    return !(open && of_cell) && !(moves && one_of({"tolerance", "evaluations"})(name));
+  });
   const auto number = [&](const char* name, const char* meaning, double value) {
     recorder.value("results", {name, "", meaning}, value);
   };
@@ -247,11 +239,9 @@ void hand_over_packing(Packing& packing, Recorder& recorder) {
     const PackingReport r = report_packing(packing);
     JamProgress work;
     work.minimisations = 1;  // it rests: no kinetic part
-    const std::vector<Column> columns = packing_columns(packing);
-    const std::vector<double> row = packing_row(packing, r, work);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      for (const char* name : {"packing_fraction", "pressure", "contact_pressure", "energy", "residual"})
-        if (columns[k].name == name) recorder.value("results", columns[k], row[k]);
+    packing_observables(packing.pressure_symbol)
+        .record({packing, r, work}, recorder,
+                one_of({"packing_fraction", "pressure", "contact_pressure", "energy", "residual"}));
     recorder.frame(packing_frame(packing, r));
   } catch (const Error&) {  // the run already ends for another reason, which is the one to report
   }

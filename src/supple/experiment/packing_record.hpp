@@ -2,7 +2,7 @@
 #pragma once
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/jam.hpp"
-#include "supple/experiment/recorder.hpp"
+#include "supple/experiment/observable.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/contact_network.hpp"
 #include "supple/observe/shape_measures.hpp"
@@ -45,10 +45,22 @@ PackingReport report_packing(Packing& packing);
 inline constexpr const char* unsound_meaning =
     "particles that have got into another one, cross themselves, or have holes between their vertices";
 
-/// The columns that every table of packings has, and a row of them: packing fraction, pressures, contacts,
-/// rattlers, energy, residual, work.
-std::vector<Column> packing_columns(const Packing& packing);
-std::vector<double> packing_row(const Packing& packing, const PackingReport& report, const JamProgress& work);
+/// A packing, its report and the work that led to it. Without minimisations the particles move: stresses then
+/// have their kinetic part.
+struct PackingInstant {
+  const Packing& packing;
+  const PackingReport& report;
+  const JamProgress& work;
+  bool moves() const { return work.minimisations == 0; }
+  /// Compression positive, in units of pressure.
+  Mat2 stress() const {
+    return (1 / packing.pressure_unit) * (moves() ? report.stresses.total() : report.stresses.virial());
+  }
+};
+
+/// What every table of packings has: packing fraction, pressures, contacts, rattlers, energy, residual, work.
+/// `symbol`: the unit of pressures.
+Observables<PackingInstant> packing_observables(const std::string& symbol);
 
 /// closed: particles fill a cell. open: they lie in more room than they fill, so that there is no packing
 /// fraction and no stress.

@@ -97,7 +97,7 @@ class MovingHeap {
     const std::int64_t total = steps_of(c, c.slump.settle_time, dt_) + steps_of(c, c.slump.spread_time, dt_);
     per_row_ = std::max<std::int64_t>(1, total / 1000);
     per_frame_ = std::max<std::int64_t>(1, total / c.output.frames);
-    recorder_.declare("motion", heap_columns());
+    heap_observables().declare("motion", recorder_);
     append();
   }
 
@@ -131,8 +131,11 @@ class MovingHeap {
 
   /// Numbers of the heap as it is; a warning where it should be at rest and is not.
   void record(const std::string& prefix, const std::string& when) {
-    for (const auto& [name, value] : heap_results(heap_))
-      recorder_.value("results", {prefix + name.name, name.unit, name.meaning + when}, value);
+    const auto is_result =
+        one_of({"time", "front", "top", "spread", "slope", "floor_force", "motion", "imbalance"});
+    for (const auto& [name, of] : heap_observables())
+      if (is_result(name.name))
+        recorder_.value("results", {prefix + name.name, name.unit, name.meaning + when}, of(heap_));
     if (!is_at_rest(heap_, case_.slump.rest))
       recorder_.warning(
           fmt::format("the heap is not at rest{}: its kinetic energy is {:.1e} of what falling by a "
@@ -169,7 +172,7 @@ class MovingHeap {
     heap_ = measure_heap(packing_.system, *packing_.field, dynamics_.evaluate_energies(packing_.system));
     if (!std::isfinite(heap_.spread + heap_.height)) good_.look();  // throws, back at the last good state
     if (last_row_ == packing_.system.step) return;
-    recorder_.append("motion", heap_row(heap_));
+    heap_observables().append("motion", heap_, recorder_);
     last_row_ = packing_.system.step;
   }
 

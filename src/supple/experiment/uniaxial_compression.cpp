@@ -41,37 +41,38 @@ double lone_area(const Packing& packing) {
   return packing_fraction(apart, packing.outline).total * apart.box.volume();
 }
 
-std::vector<Column> uniaxial_columns(const Packing& packing) {
-  std::vector<Column> columns = packing_columns(packing);
-  columns.insert(columns.begin(),
-                 {"strain", "", "how far the upper wall has come down, over the first height"});
-  columns.push_back({"wall_force", "", "force of the particles on the upper wall"});
-  columns.push_back({"floor_force", "", "force of the particles on the lower wall"});
-  columns.push_back({"vertex_contacts", "", "vertices that touch another particle"});
-  columns.push_back(
-      {"contact_length", "",
-       "vertices in contact per pair of particles that touch: 1 or 2 at a point, more on a facet"});
-  columns.push_back(
-      {"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"});
-  columns.push_back({"overlap_area", "", "share of the particles' area that lies in another one"});
-  columns.push_back({"mean_shape_parameter", "", "mean p^2/(4 pi a) of the polygons; 1 without any"});
-  return columns;
-}
+struct WallInstant : PackingInstant {
+  double strain;
+  WallForces walls() const { return sum_wall_forces(report.evaluation.wall); }
+  double pairs() const { return static_cast<double>(report.network.pairs.size()); }
+  double sites() const { return static_cast<double>(report.contacts.size()); }
+  double covered_area() const { return report.fraction.total * packing.system.box.volume(); }
+};
 
-std::vector<double> uniaxial_row(const Packing& packing, const PackingReport& r, const JamProgress& work,
-                                 double strain) {
-  std::vector<double> row = packing_row(packing, r, work);
-  row.insert(row.begin(), strain);
-  const WallForces walls = sum_wall_forces(r.evaluation.wall);
-  const double pairs = static_cast<double>(r.network.pairs.size()),
-               sites = static_cast<double>(r.contacts.size());
-  const double covered = r.fraction.total * packing.system.box.volume();
-  for (const double x :
-       {walls.lid, walls.floor, sites, pairs > 0 ? sites / pairs : 0,
-        mean_overlap(packing.system, r.records, packing.field->bodies()->laws()),
-        std::max(0.0, 1 - covered / lone_area(packing)), mean_shape_parameter(r.shapes).value_or(1)})
-    row.push_back(x);
-  return row;
+Observables<WallInstant> wall_observables(const Packing& packing) {
+  using W = WallInstant;
+  Observables<W> all{{{"strain", "", "how far the upper wall has come down, over the first height"},
+                      [](const W& w) { return w.strain; }}};
+  all.add(packing_observables(packing.pressure_symbol));
+  all.add(
+      {{{"wall_force", "", "force of the particles on the upper wall"},
+        [](const W& w) { return w.walls().lid; }},
+       {{"floor_force", "", "force of the particles on the lower wall"},
+        [](const W& w) { return w.walls().floor; }},
+       {{"vertex_contacts", "", "vertices that touch another particle"},
+        [](const W& w) { return w.sites(); }},
+       {{"contact_length", "",
+         "vertices in contact per pair of particles that touch: 1 or 2 at a point, more on a facet"},
+        [](const W& w) { return w.pairs() > 0 ? w.sites() / w.pairs() : 0; }},
+       {{"mean_overlap", "contact distance", "mean depth of contacts over the distance at which they begin"},
+        [](const W& w) {
+          return mean_overlap(w.packing.system, w.report.records, w.packing.field->bodies()->laws());
+        }},
+       {{"overlap_area", "", "share of the particles' area that lies in another one"},
+        [](const W& w) { return std::max(0.0, 1 - w.covered_area() / lone_area(w.packing)); }},
+       {{"mean_shape_parameter", "", "mean p^2/(4 pi a) of the polygons; 1 without any"},
+        [](const W& w) { return mean_shape_parameter(w.report.shapes).value_or(1); }}});
+  return all;
 }
 
 /// Steps of the upper wall on its way down.
@@ -108,6 +109,7 @@ void count(JamProgress& work, const MinimiseReport& done) {
 
 /// The course from the first to the last strain; a row of the table for each step, and frames.
 void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& recorder) {
+  const Observables<WallInstant> observables = wall_observables(packing);
   const double height = packing.system.box.length[gradient];
   const std::int64_t steps = wall_steps(c);
   FrameSchedule frames(steps, c.output.frames);
@@ -120,7 +122,7 @@ void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& reco
     require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
     remember(packing, report, good.look());
     const PackingReport row = report_packing(packing);
-    recorder.append("packing", uniaxial_row(packing, row, work, strain));
+    observables.append("packing", {{packing, row, work}, strain}, recorder);
     if (frames.due(k)) {
       Frame frame = packing_frame(packing, row);
       frame.numbers["uniaxial_strain"] = strain;
@@ -142,7 +144,8 @@ std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialSta
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = boxed_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
-  recorder.declare("packing", uniaxial_columns(packing));
+  const Observables<WallInstant> observables = wall_observables(packing);
+  observables.declare("packing", recorder);
   JamProgress work;
   try {
     if (!initial && c.uniaxial.pressure > 0) work = squeeze(c, packing, recorder);
@@ -152,11 +155,8 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
     throw;
   }
   const PackingReport report = report_packing(packing);
-  const std::vector<Column> columns = uniaxial_columns(packing);
-  const std::vector<double> row = uniaxial_row(packing, report, work, c.uniaxial.strain);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    for (const char* name : {"wall_force", "contact_length", "mean_overlap", "overlap_area"})
-      if (columns[k].name == name) recorder.value("results", columns[k], row[k]);
+  observables.record({{packing, report, work}, c.uniaxial.strain}, recorder,
+                     one_of({"wall_force", "contact_length", "mean_overlap", "overlap_area"}));
   record_packing(packing, work, recorder);
 }
 
