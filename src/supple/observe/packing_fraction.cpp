@@ -61,10 +61,11 @@ std::vector<Interval> heights_of_edges(const BodyShape& body, double tolerance) 
   return heights;
 }
 
-std::vector<Interval> heights_of(const std::vector<OutlineCurve>& curves) {
-  std::vector<Interval> heights;
-  for (const OutlineCurve& c : curves) heights.push_back({c.bounds.low[1], c.bounds.high[1]});
-  return heights;
+/// What the curves take up in direction d.
+std::vector<Interval> extents_of(const std::vector<OutlineCurve>& curves, int d) {
+  std::vector<Interval> extents;
+  for (const OutlineCurve& c : curves) extents.push_back({c.bounds.low[d], c.bounds.high[d]});
+  return extents;
 }
 
 /// A body, and whether it covers points. It does not cover points on its outline, to within `tolerance`, so
@@ -107,8 +108,11 @@ class Body {
     if (shape_.is_disc()) return false;
     int winding = 0;
     for (const std::int32_t k : edges_.at(x[1])) {
-      if (shape_.distance_to_edge(k, x) <= tolerance_) return false;
-      winding += ray_crossing(x, shape_.ring[k], shape_.ring[shape_.next(k)]);
+      const Vec2 &a = shape_.ring[k], &b = shape_.ring[shape_.next(k)];
+      const bool is_near =
+          std::min(a[0], b[0]) - tolerance_ <= x[0] && x[0] <= std::max(a[0], b[0]) + tolerance_;
+      if (is_near && shape_.distance_to_edge(k, x) <= tolerance_) return false;
+      winding += ray_crossing(x, a, b);
     }
     return winding != 0;
   }
@@ -131,11 +135,13 @@ void finish_cuts(std::vector<double>& cuts) {
 std::vector<Piece> own_outline(const Body& body) {
   std::vector<Piece> pieces;
   std::vector<double> cuts;
-  const std::vector<Interval> heights = heights_of(body.curves());
+  const std::vector<Interval> heights = extents_of(body.curves(), 1), widths = extents_of(body.curves(), 0);
   const Bands bands(heights);
   for (const OutlineCurve& a : body.curves()) {
     cuts.clear();
     bands.for_each_meeting(a.bounds.low[1], a.bounds.high[1], heights, [&](std::int32_t k) {
+      if (widths[k].high < a.bounds.low[0] || a.bounds.high[0] < widths[k].low)
+        return;  // most, of a long list
       const OutlineCurve& b = body.curves()[k];
       if (&a != &b && a.bounds.meets(b.bounds)) append_crossings(a.curve, b.curve, cuts);
     });
