@@ -72,12 +72,19 @@ TEST(TomlMistake, HeadersAndOtherFormats) {
   EXPECT_THAT(error_of("{\"shear\": {}}\n"), HasSubstr("looks like JSON"));
 }
 
-/// A line in a text of several lines: it does not tell, so that the reader's own words stand.
-TEST(TomlMistake, WhatTheLineDoesNotTellIsSaidByTheReader) {
-  EXPECT_THAT(error_of("[shear]\nrate = [1,\n2 3]\n"), HasSubstr("c.toml:3:"));
+TEST(TomlMistake, ListsAndTablesAreNoValues) {
+  for (const char* text :
+       {"[shear]\nrate = [1, 2\n", "[shear]\nrate = [1,\n2 3]\n", "[shear]\nrate = {a = 1\n",
+        "[shear]\nrate = [[1, 2],\n[3 4]]\nperiods = 5\n", "[shear]\nrate = [1 # one\n"}) {
+    EXPECT_THAT(error_of(text), HasSubstr("(no key of a case takes a list or a table); give it one value"));
+    EXPECT_THAT(error_of(text), Not(HasSubstr("reader of TOML"))) << text;
+  }
+  EXPECT_THAT(error_of("[shear]\nrate = \"a[\"\nmy key = 3\n"), HasSubstr("it has a space in it"));
+}
+
+TEST(TomlMistake, LinesThatDoNotExistTellNothing) {
   EXPECT_EQ(find_toml_mistake("a = 1\n", 7).why, "");
   EXPECT_EQ(find_toml_mistake("", 0).why, "");
-  EXPECT_EQ(find_value_mistake("a", "[1").why, "");
 }
 
 }  // namespace

@@ -75,6 +75,23 @@ TomlMistake find_repetition(const std::vector<std::string_view>& lines, std::siz
   return {};
 }
 
+const TomlMistake no_list{"no key of a case takes a list or a table", "give it one value"};
+
+/// A list or table that goes on over several lines, down to this one.
+bool is_in_list(const std::vector<std::string_view>& lines, std::size_t at) {
+  std::ptrdiff_t open = 0;
+  for (std::size_t i = 0; i < at; ++i) {
+    std::string_view line = without_comment(lines[i]);
+    if (open == 0) {
+      if (is_header(line) || line.find('=') == line.npos) continue;
+      line = trim(line.substr(line.find('=') + 1));
+      if (line.empty() || (line.front() != '[' && line.front() != '{')) continue;
+    }
+    for (const char c : line) open += (c == '[' || c == '{') - (c == ']' || c == '}');
+  }
+  return open > 0;
+}
+
 }  // namespace
 
 std::optional<std::string_view> meant_truth(std::string_view text) {
@@ -109,7 +126,7 @@ TomlMistake find_value_mistake(std::string_view key, std::string_view value) {
     if (value.back() != value.front()) return {"something stands behind the text", "comments begin with #"};
     return {};
   }
-  if (value.front() == '[' || value.front() == '{') return {};
+  if (value.front() == '[' || value.front() == '{') return no_list;
   if (value.ends_with(';')) return {"nothing ends a line", write(value.substr(0, value.size() - 1))};
   if (const auto slashes = value.find("//"); slashes != value.npos && slashes > 0)
     return {"a comment begins with #", write(trim(value.substr(0, slashes)))};
@@ -136,6 +153,7 @@ TomlMistake find_value_mistake(std::string_view key, std::string_view value) {
 TomlMistake find_toml_mistake(std::string_view text, std::size_t line) {
   const std::vector<std::string_view> lines = split_lines(text);
   if (line == 0 || line > lines.size()) return {};
+  if (is_in_list(lines, line - 1)) return no_list;
   if (const TomlMistake repetition = find_repetition(lines, line - 1); !repetition.why.empty())
     return repetition;
   const std::string_view here = trim(without_comment(lines[line - 1]));
