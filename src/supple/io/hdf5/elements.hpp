@@ -111,9 +111,9 @@ void write(h5::Group& group, const Q& quantity, const std::vector<T>& values, co
 }
 template <class Q, class T>
 void write(h5::Group& group, const Q& quantity, const T& value, const Units& units) {
-  h5::Object made = Element<T>::shape().empty()
-                        ? group.write_scalar(quantity.name, flat(std::span(&value, 1))[0])
-                        : group.write(quantity.name, flat(std::span(&value, 1)), shape_of<T>({}));
+  h5::Object made;
+  if constexpr (std::is_same_v<T, NumberOf<T>>) made = group.write_scalar(quantity.name, value);
+  else made = group.write(quantity.name, flat(std::span(&value, 1)), Element<T>::shape());
   describe(made, quantity, units);
 }
 
