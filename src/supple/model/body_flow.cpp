@@ -101,10 +101,19 @@ void set_strain_rate(System<2>& system, double rate) {
   const double change = rate - system.box.strain_rate, turning = -0.5 * change;
   system.box.strain_rate = rate;
   if (change == 0) return;
+  const double middle = 0.5 * system.box.length[gradient];
+  if (system.topology.begin.empty()) {  // discs, at each step of a protocol
+    State<2>& s = system.state;
+    for (int i = 0; i < s.size(); ++i) {
+      s.velocity[i][flow] += (s.position[i][gradient] - middle) * change;
+      s.spin[i] += turning;
+    }
+    return;
+  }
   for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
     const Vec2 centre = centre_of_mass(system, b);
     Vec2 velocity{};
-    velocity[flow] = (centre[gradient] - 0.5 * system.box.length[gradient]) * change;
+    velocity[flow] = (centre[gradient] - middle) * change;
     add_motion(system, b, 1, centre, velocity, turning);
   }
 }

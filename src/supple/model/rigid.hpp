@@ -15,12 +15,13 @@ int rigid_index(const System<2>& system, int b);
 /// visit(i) for each site that is no part of a rigid body, ascending.
 template <class Visit>
 void for_sites_apart(const System<2>& system, const Visit& visit) {
+  const int bodies = system.rigid.size();
   int i = 0;
-  for (const std::int32_t b : system.rigid.body) {
-    for (; i < system.topology.body_begin(b); ++i) visit(i);
-    i = system.topology.body_end(b);
+  for (int r = 0; r <= bodies; ++r) {  // one loop over sites, that compilers make one piece with `visit`
+    const int end = r < bodies ? system.topology.body_begin(system.rigid.body[r]) : system.state.size();
+    for (; i < end; ++i) visit(i);
+    if (r < bodies) i = system.topology.body_end(system.rigid.body[r]);
   }
-  for (; i < system.state.size(); ++i) visit(i);
 }
 
 /// Sets positions and velocities of the sites of all rigid bodies from their centres, angles, velocities and

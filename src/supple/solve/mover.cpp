@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "supple/core/error.hpp"
@@ -29,6 +30,9 @@ Mobility mobility_of_body(const System<2>& system, int b) {
 /// velocity of what holds them. Discs may turn in any case.
 void hold(System<2>& system) {
   State<2>& s = system.state;
+  std::uint8_t held = 0;
+  for (const Mobility m : s.mobility) held |= static_cast<std::uint8_t>(m);
+  if (held == static_cast<std::uint8_t>(Mobility::free)) return;
   for_sites_apart(system, [&](int i) {
     if (s.mobility[i] != Mobility::free) s.velocity[i] = plate_velocity(system.box, s.mobility[i]);
   });
@@ -57,24 +61,30 @@ void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
   hold(system);
 }
 
+/// 1 where all bits of the exponent are set.
+std::uint64_t is_not_finite(double x) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  return (std::bit_cast<std::uint64_t>(x) & exponent) == exponent;
+}
+
 void drift(System<2>& system, double dt) {
   State<2>& s = system.state;
-  double finite = 0;  // becomes NaN with the first value that is not finite
+  std::uint64_t odd = 0;  // 1 from the first value on that is not finite
   for_sites_apart(system, [&](int i) {
     s.angle[i] += dt * s.spin[i];
     s.position[i] += dt * s.velocity[i];
-    finite += 0 * (s.position[i][0] + s.position[i][1] + s.spin[i]);
+    odd |= is_not_finite(s.position[i][0] + s.position[i][1] + s.spin[i]);
   });
   RigidBodies& rigid = system.rigid;
   for (int r = 0; r < rigid.size(); ++r) {
     rigid.angle[r] += dt * rigid.spin[r];
     rigid.centre[r] += dt * rigid.velocity[r];
-    finite += 0 * (rigid.centre[r][0] + rigid.centre[r][1] + rigid.angle[r]);
+    odd |= is_not_finite(rigid.centre[r][0] + rigid.centre[r][1] + rigid.angle[r]);
   }
   system.box.strain += system.box.strain_rate * dt;
   system.lag = dt;
   place_sites(system);
-  for (int i = 0; finite != 0 && i < s.size(); ++i)
+  for (int i = 0; odd != 0 && i < s.size(); ++i)
     if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
       throw numerics_error(fmt::format("site {} is not finite at step {}", i, system.step + 1),
                            "the time step may be too large, a law too stiff, or bodies may overlap too much",
