@@ -25,7 +25,7 @@ struct Kind {
 
 class EnergyDrift : public ::testing::TestWithParam<Kind> {};
 
-Packing warm_packing(const Kind& kind) {
+Packing warm_packing(const Kind& kind, int seed) {
   Case c;
   c.general.experiment = "dynamics";
   c.general.physics = "deformable";
@@ -36,14 +36,14 @@ Packing warm_packing(const Kind& kind) {
   c.contact.kind = kind.contact;
   resolve_family(c);
   Packing packing = make_packing(c, nullptr, 0.8);
-  draw_velocities(packing.system, 1e-4, 1);
+  draw_velocities(packing.system, 1e-4, seed);
   return packing;
 }
 
 /// Change of the energy over all steps by the least-squares line through it, relative to it, once kinetic and
 /// potential energy have come to share it.
-double drift(const Kind& kind, double step_factor) {
-  Packing packing = warm_packing(kind);
+double drift(const Kind& kind, double step_factor, int seed = 1) {
+  Packing packing = warm_packing(kind, seed);
   System<2>& s = packing.system;
   Mover dynamics(*packing.field);
   const double dt = step_factor * default_step(s, *packing.field);
@@ -61,7 +61,12 @@ double drift(const Kind& kind, double step_factor) {
   return moment / sum / mean;
 }
 
-TEST_P(EnergyDrift, IsNoneOverManyDefaultSteps) { EXPECT_LT(std::abs(drift(GetParam(), 1)), 1e-5); }
+/// In one run the energy walks at random, by about 5e-6: which way depends on the last bits.
+TEST_P(EnergyDrift, IsNoneOverManyDefaultSteps) {
+  double mean = 0;
+  for (const int seed : {1, 2, 3, 4}) mean += 0.25 * drift(GetParam(), 1, seed);
+  EXPECT_LT(std::abs(mean), 1e-5);
+}
 
 INSTANTIATE_TEST_SUITE_P(Families, EnergyDrift,
                          ::testing::Values(Kind{"shell", "rough", 0}, Kind{"shell", "smooth", 0},
