@@ -61,11 +61,12 @@ double drift(const Kind& kind, double step_factor, int seed = 1) {
   return moment / sum / mean;
 }
 
-/// In one run the energy walks at random, by about 5e-6: which way depends on the last bits.
+/// The energy walks at random, which way depends on the last bits: in 20 runs of rigid polygons by 6.6e-6
+/// (root mean square), in one by 1.6e-5. A trend would be in all eight.
 TEST_P(EnergyDrift, IsNoneOverManyDefaultSteps) {
-  double mean = 0;
-  for (const int seed : {1, 2, 3, 4}) mean += 0.25 * drift(GetParam(), 1, seed);
-  EXPECT_LT(std::abs(mean), 1e-5);
+  double square = 0;
+  for (const int seed : {1, 2, 3, 4, 5, 6, 7, 8}) square += std::pow(drift(GetParam(), 1, seed), 2) / 8;
+  EXPECT_LT(std::sqrt(square), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, EnergyDrift,

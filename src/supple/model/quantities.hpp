@@ -28,6 +28,8 @@ inline constexpr auto quantities = std::tuple{};
 /// visit(quantity, value) for each of them.
 template <class Struct, class Visit>
 void for_each_quantity(Struct& values, Visit&& visit) {
+  static_assert(std::tuple_size_v<std::remove_const_t<decltype(quantities<std::remove_const_t<Struct>>)>> > 0,
+                "its quantities are not listed here");
   std::apply([&](const auto&... quantity) { (visit(quantity, values.*(quantity.member)), ...); },
              quantities<std::remove_const_t<Struct>>);
 }
