@@ -20,9 +20,7 @@ double outer_radius(const System<2>& system, int b) {
 }
 
 void move_body(System<2>& system, int b, const Vec2& move) {
-  const auto& rigid = system.rigid.body;
-  if (const auto at = std::find(rigid.begin(), rigid.end(), b); at != rigid.end())
-    system.rigid.centre[at - rigid.begin()] += move;
+  if (const int r = rigid_index(system, b); r >= 0) system.rigid.centre[r] += move;
   for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
     system.state.position[i] += move;
 }
