@@ -91,7 +91,7 @@ class Judge {
     for (std::size_t b = 0; b < shape.stiffness.size(); ++b) {
       const ShapeStiffness& k = shape.stiffness[b];
       for (const double x : {k.volume, k.facet, k.hinge, k.tension})
-        size(x, fmt::format("a stiffness of particle {}", b));
+        if (!is_computable(x)) size(x, fmt::format("a stiffness of particle {}", b));
     }
     sizes(shape.rest_volume, "the preferred area of particle");
     positive_sizes(shape.rest_facet, "the preferred length of edge");

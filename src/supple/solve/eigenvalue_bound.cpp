@@ -152,8 +152,9 @@ void take_absolute(Rows& rows, const Sets& sets) {
   });
 }
 
-/// x and y have room for all numbers, of which those of the set are used; x = 1.
-double bound_of_set(const Rows& rows, const Sets& sets, int set, std::vector<double>& x,
+/// x and y have room for all numbers, of which those of the set are used; x = 1. A bound of `least` or less
+/// is not sharpened further.
+double bound_of_set(const Rows& rows, const Sets& sets, int set, double least, std::vector<double>& x,
                     std::vector<double>& y) {
   const std::int32_t first = sets.begin(set), last = sets.begin(set + 1);
   double bound = 0;
@@ -172,7 +173,7 @@ double bound_of_set(const Rows& rows, const Sets& sets, int set, std::vector<dou
       largest = std::max(largest, y[k]);
     }
     bound = iteration == 0 ? largest_ratio : std::min(bound, largest_ratio);
-    if (largest == 0) break;
+    if (largest == 0 || bound <= least) break;
     // Numbers that hardly anything connects to the stiffest ones must not vanish.
     for (std::int32_t k = first; k < last; ++k) x[k] = y[k] / largest + 1e-3;
   }
@@ -188,7 +189,11 @@ double eigenvalue_bound(const std::vector<MatrixEntry>& lower, const std::vector
   take_absolute(rows, sets);
   std::vector<double> x(static_cast<std::size_t>(size), 1.0), y(x.size()), bound(x.size() + 1, 0.0);
   for_chunks(sets.count(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-    for (auto s = static_cast<int>(begin); s < end; ++s) bound[s] = bound_of_set(rows, sets, s, x, y);
+    double largest = 0;  // only the largest of all bounds counts: sets below one that is known need no more
+    for (auto s = static_cast<int>(begin); s < end; ++s) {
+      bound[s] = bound_of_set(rows, sets, s, largest, x, y);
+      largest = std::max(largest, bound[s]);
+    }
   });
   return *std::max_element(bound.begin(), bound.end());
 }
