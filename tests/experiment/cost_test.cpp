@@ -10,6 +10,7 @@
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/packing_record.hpp"
+#include "supple/model/polygons.hpp"
 
 namespace supple {
 namespace {
@@ -84,12 +85,61 @@ TEST(Cost, ParticlesOfOneKindAreMeasuredOnceAndAreThoseOfEach) {
       c.bodies.vertex_rule = "scaled";
       c.bodies.shape_ratio_large = std::string(family) == "shell" ? 1.2 : 0;
       SCOPED_TRACE(std::string(family) + ", " + kind);
-      const LooseBodies each = loose_bodies(c, 0.2), kinds = loose_bodies(c, 0.2, {}, Measured::kinds);
+      const System<2> apart = particles_apart(c);
+      const LooseBodies each = loose_bodies(c, 0.2), kinds = loose_bodies(c, 0.2, {}, &apart);
       EXPECT_NEAR(kinds.area, each.area, 1e-9 * each.area);
       ASSERT_EQ(kinds.radius.size(), each.radius.size());
       for (std::size_t b = 0; b < each.radius.size(); ++b)
         EXPECT_NEAR(kinds.radius[b], each.radius[b], 1e-9 * each.radius[b]) << b;
     }
+}
+
+/// Each of 64 stood in a cell 64 times as wide, with a tolerance that took 6e-5 of their area away.
+TEST(Cost, AreasOfDrawnParticlesAreExactHoweverManyThereAre) {
+  for (const double shape : {1.04, 6.0})  // of the second, more than neighbours meet
+    for (const char* kind : {"rough", "smooth"}) {
+      Case c = bodies_case("jamming", "floppy");
+      c.contact.kind = kind;
+      c.bodies.count = 64;
+      c.bodies.vertices = 100;
+      c.bodies.shape_parameter = shape;
+      const System<2> apart = particles_apart(c);
+      System<2> one;
+      double exact = 0;
+      for (int b = 0; b < 64; ++b) {
+        one = {};
+        const auto begin = apart.state.position.begin() + apart.topology.body_begin(b);
+        std::vector<Vec2> ring(begin, begin + apart.topology.body_size(b));
+        const Vec2 there = ring[0];
+        for (Vec2& x : ring) x -= there;
+        const std::vector<double> rest(ring.size(), 1.0);
+        add_ring(one, ring, apart.state.radius[apart.topology.body_begin(b)], {}, 1, rest, rest);
+        one.box.length = {8, 8};
+        exact +=
+            64 * packing_fraction(one, std::string(kind) == "rough" ? Outline::rough : Outline::smooth).total;
+      }
+      SCOPED_TRACE(kind);
+      EXPECT_NEAR(loose_bodies(c, 0.2).area, exact, 1e-9 * exact) << shape;
+      EXPECT_NEAR(loose_bodies(c, 0.2, {}, &apart).area, exact, 1e-9 * exact) << shape;
+    }
+}
+
+/// A push by 1 % of the radius, 17 edges of such a ring, made teeth between whose ends vertices passed.
+TEST(Cost, ABuckledRingOfVeryManyVerticesIsNoSaw) {
+  Case c = bodies_case("jamming", "floppy");
+  c.bodies.count = 4;
+  c.bodies.vertices = 10000;
+  EXPECT_NO_THROW(derive(c, nullptr));
+  const System<2> s = particles_apart(c);
+  const Topology<2>& t = s.topology;
+  double shortest = 1e300, longest = 0;
+  for (const auto& facet : t.facet) {
+    const double length = norm(s.state.position[facet[1]] - s.state.position[facet[0]]);
+    shortest = std::min(shortest, length / s.state.radius[facet[0]]);
+    longest = std::max(longest, length / s.state.radius[facet[0]]);
+  }
+  EXPECT_GT(longest, 1.05 * shortest) << "not pushed";
+  EXPECT_LT(longest, 2.3);
 }
 
 /// A body of 900 vertices has 3.2 million pairs of coordinates: what is asked of thousands of them before a

@@ -19,6 +19,7 @@
 #include "supple/model/polygons.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/packing_fraction.hpp"
+#include "supple/observe/plain_area.hpp"
 #include "supple/observe/soundness.hpp"
 
 namespace supple {
@@ -52,6 +53,10 @@ bool buckles(const ParticleKind& p) {
   return is_soft(p) && preferred_shape_parameter(p) > least_shape_parameter(p.vertices) * (1 + 1e-9);
 }
 
+/// Largest push of a vertex, over its distance from the centre: a quarter of an edge at most, or a ring of
+/// very many vertices would be a saw with teeth longer than the vertices are wide.
+double largest_push(int vertices) { return std::min(0.01, 0.5 * std::sin(pi / vertices)); }
+
 /// Adds the particle `body` of the case, of this species, about a centre.
 void add_particle(const Case& c, const Species& species, int body, const Vec2& centre, System<2>& system) {
   const double area = preferred_area(species);
@@ -70,8 +75,9 @@ void add_particle(const Case& c, const Species& species, int body, const Vec2& c
     set_body_term(system.terms, Perimeter::name, index, std::array{stiffness, rest});
   }
   if (!buckles(species)) return;
+  const double push = largest_push(species.vertices);
   for (int i = system.topology.begin[index]; i < system.topology.begin[index + 1]; ++i)
-    system.state.position[i] += 0.01 * draw.uniform(-1, 1) * (system.state.position[i] - centre);
+    system.state.position[i] += push * draw.uniform(-1, 1) * (system.state.position[i] - centre);
 }
 
 /// The place of each particle's species in the case.
@@ -115,6 +121,24 @@ LooseBody measure_alone(const Case& c, const Species& species, int body, const V
   add_particle(c, species, body, centre, alone);
   alone.box.length = {apart, apart};
   return {packing_fraction(alone, outline_of(c)).area[0], outer_radius(alone, 0)};
+}
+
+/// The same of a body that the case has drawn, of a system. In closed form; or about the origin in a cell
+/// that it fills, as outlines that nearly touch themselves want a small tolerance, which follows the cell.
+LooseBody measure_drawn(const Case& c, const Species& species, int body, const System<2>& system, int index) {
+  const int first = system.topology.body_begin(index);
+  const std::span ring(system.state.position.data() + first,
+                       static_cast<std::size_t>(system.topology.body_size(index)));
+  const double radius = outer_radius(system, index);
+  if (const auto area = plain_area(ring, system.state.radius[first], outline_of(c))) return {*area, radius};
+  return measure_alone(c, species, body, {}, 4 * radius);
+}
+
+/// The same, made for this alone.
+LooseBody measure_drawn(const Case& c, const Species& species, int body) {
+  System<2> alone;
+  add_particle(c, species, body, {}, alone);
+  return measure_drawn(c, species, body, alone, 0);
 }
 
 /// One of each species that the case does not draw.
@@ -174,7 +198,7 @@ SampleSize sample_size(const Case& c) {
 }
 
 LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const Enclosure& enclosure,
-                         Measured measured) {
+                         const System<2>* set_apart) {
   const std::vector<Species> all = species_of(c);
   const std::vector<const Species*> species = species_of_bodies(all);
   const auto bodies = static_cast<int>(species.size());
@@ -184,13 +208,18 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   std::vector<double> area(static_cast<std::size_t>(bodies));
   loose.radius.resize(area.size());
   std::map<const Species*, LooseBody> kinds;
-  if (measured == Measured::kinds) kinds = measure_kinds(c, all, apart);
+  if (set_apart) kinds = measure_kinds(c, all, apart);
   for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (auto b = static_cast<int>(begin); b < end; ++b) {
       const auto known = kinds.find(species[b]);
-      // Every packing follows, to the last bit, from areas there.
-      const LooseBody body =
-          known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);
+      const auto measured = [&] {
+        if (buckles(*species[b]))
+          return set_apart ? measure_drawn(c, *species[b], b, *set_apart, b)
+                           : measure_drawn(c, *species[b], b);
+        // Every packing follows, to the last bit, from areas there.
+        return known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);
+      };
+      const LooseBody body = measured();
       area[b] = body.area;
       loose.radius[b] = body.radius;
     }

@@ -46,17 +46,15 @@ struct LooseBodies {
   Box<2> cell;
 };
 
-/// Which particles are measured: each one, or only one of each kind, where the case draws nothing for single
-/// particles; results are the same to rounding.
-enum class Measured { each, kinds };
-
-/// Everything about a random packing except where its particles are. Input error where the largest does not
-/// fit into the cell.
-LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
-                         Measured measured = Measured::each);
-
 /// The particles in a square array, far apart.
 System<2> particles_apart(const Case& c);
+
+/// Everything about a random packing except where its particles are. Each of them is measured alone; if they
+/// are given set apart, the same follows, to rounding, in a time that check has: from one of each kind where
+/// the case draws nothing for single particles, and from what it has drawn. Input error where the largest
+/// does not fit into the cell.
+LooseBodies loose_bodies(const Case& c, double packing_fraction, const Enclosure& enclosure = {},
+                         const System<2>* set_apart = nullptr);
 
 /// The particles at random positions in the cell, moved apart as far as can be. Input error where there is no
 /// room; `interrupted` where asked to stop.

@@ -185,8 +185,9 @@ Packing packing_from(const Case& c, const InitialState* initial, double packing_
   if (initial) {
     p = packing_of(c, given_system(c, *initial, making.flow));
   } else if (making.places == Places::apart) {
-    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure, Measured::kinds);
-    p = packing_of(c, particles_apart(c));
+    System<2> apart = particles_apart(c);
+    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure, &apart);
+    p = packing_of(c, std::move(apart));
     p.cell = loose.cell;
     p.covered_area = loose.area;
     return p;
