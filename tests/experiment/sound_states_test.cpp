@@ -45,17 +45,26 @@ std::string stopped(const Case& c, MemoryRecorder& recorder) {
 }
 
 /// Floppy rings with much too long edges fold over themselves: the run reported a packing fraction of 1.334
-/// for 0.977.
+/// for 0.977. By rounding a few samples do not fold; these end with a sound state.
 TEST(SoundStates, ARunStopsWhereRingsCrossThemselves) {
   Case c = case_of("floppy", 12, 16);
   c.bodies.shape_parameter = 1.3;
   c.contact.kind = "smooth";
   c.jamming.pressure = 0.1;
-  MemoryRecorder recorder;
-  EXPECT_THAT(stopped(c, recorder), ::testing::AnyOf(HasSubstr("cross"), HasSubstr("inside")));
-  c.contact.unsound = "mark";
-  MemoryRecorder again;
-  EXPECT_THAT(stopped(c, again), HasSubstr("cross")) << "a ring without an area cannot be marked";
+  for (const char* unsound : {"stop", "mark"}) {  // a ring without an area cannot be marked
+    c.contact.unsound = unsound;
+    int stops = 0;
+    for (c.general.seed = 1; c.general.seed <= 3; ++c.general.seed) {
+      MemoryRecorder recorder;
+      const std::string what = stopped(c, recorder);
+      const Soundness last = look_at(recorder.last_system, Outline::smooth);
+      EXPECT_TRUE(c.contact.unsound == "stop" ? last.sound() : last.has_areas()) << last.what();
+      if (what == "it ran to its end") continue;
+      ++stops;
+      EXPECT_THAT(what, ::testing::AnyOf(HasSubstr("cross"), HasSubstr("inside")));
+    }
+    EXPECT_GE(stops, 1) << unsound;
+  }
 }
 
 /// Not "bad input: order the sites counter-clockwise".
