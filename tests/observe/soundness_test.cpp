@@ -155,5 +155,27 @@ TEST(Soundness, AgreesWithEveryPairOfEdges) {
   EXPECT_GT(self_crossing, 3);
 }
 
+TEST(Soundness, OfBodiesFarApartIsThatOfEachAlone) {
+  System<2> system;
+  system.box.length = {200, 20};
+  add_box(system, 5, 5, 4, 4);
+  add(system, {{20, 5}, {20, 9}, {24, 9}, {24, 5}});                // turned over
+  add(system, {{40, 5}, {46, 5}, {46, 9}, {43, 3}, {40, 9}}, 0.1);  // crosses itself
+  add_disc_body(system, {60, 5}, 1);
+  add(system, {{80, 5}, {81, 5}, {81, 6}, {80, 6}}, 0.2);  // open, where rough
+  add_box(system, 120, 5, 1, 1);
+  for (const Outline outline : {Outline::rough, Outline::smooth}) {
+    const Soundness all = look_at(system, outline), each = look_at_each(system, outline);
+    EXPECT_EQ(each.unsound, all.unsound);
+    EXPECT_EQ(each.what(), all.what());
+    EXPECT_EQ(each.longest_edge, all.longest_edge);
+    EXPECT_EQ(each.turned_over, 1);
+    EXPECT_EQ(each.self_crossing, 1);
+    EXPECT_EQ(each.open > 0, outline == Outline::rough);
+  }
+  system.state.position[0][0] = NAN;
+  EXPECT_EQ(look_at_each(system, Outline::rough).not_finite, 1);
+}
+
 }  // namespace
 }  // namespace supple

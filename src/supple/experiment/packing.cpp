@@ -123,7 +123,7 @@ void check_tension(const System<2>& s) {
 }
 
 /// What the case says of these particles.
-Packing packing_of(const Case& c, System<2> system) {
+Packing packing_of(const Case& c, System<2> system, Places places = Places::random) {
   require_sane(system, "this packing");
   check_tension(system);
   Packing p;
@@ -131,7 +131,8 @@ Packing packing_of(const Case& c, System<2> system) {
   p.field = make_body_field(c);
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
-  if (const Soundness s = look_at(p); must_stop(p, s))
+  const bool apart = places == Places::apart;
+  if (const Soundness s = apart ? look_at_each(p.system, p.outline) : look_at(p); must_stop(p, s))
     throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
   const Harmonic law = springs_of(c);
   const auto& stiffness = p.system.shape.stiffness;
@@ -187,7 +188,7 @@ Packing packing_from(const Case& c, const InitialState* initial, double packing_
   } else if (making.places == Places::apart) {
     System<2> apart = particles_apart(c);
     const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure, &apart);
-    p = packing_of(c, std::move(apart));
+    p = packing_of(c, std::move(apart), Places::apart);
     p.cell = loose.cell;
     p.covered_area = loose.area;
     return p;

@@ -61,15 +61,16 @@ Bounds common_part(const Bounds& a, const Bounds& b) {
 
 class Look {
  public:
-  Look(const std::vector<BodyShape>& shapes, Outline outline) : shapes_(shapes), outline_(outline) {
+  /// At this many bodies, and at these shapes for those that are to be looked at together.
+  Look(std::size_t bodies, const std::vector<BodyShape>& shapes, Outline outline)
+      : shapes_(shapes), outline_(outline) {
     for (const BodyShape& shape : shapes) rings_.push_back(bounds_of_ring(shape));
-    inside_.resize(shapes.size());
-    crossing_.resize(shapes.size());
-    out_.unsound.resize(shapes.size());
+    inside_.resize(bodies);
+    crossing_.resize(bodies);
+    out_.unsound.resize(bodies);
   }
 
-  void alone(int b, double narrowest) {
-    const BodyShape& shape = shapes_[b];
+  void alone(int b, const BodyShape& shape, double narrowest) {
     if (shape.is_disc()) return;
     count(b, out_.turned_over, !(polygon_area(shape.ring) > 0));
     count(b, out_.self_crossing, find_self_crossing(shape.ring).has_value());
@@ -98,7 +99,7 @@ class Look {
   }
 
   Soundness result() {
-    for (int b = 0; b < static_cast<int>(shapes_.size()); ++b) {
+    for (int b = 0; b < static_cast<int>(inside_.size()); ++b) {
       count(b, out_.inside, inside_[b]);
       count(b, out_.crossing, crossing_[b]);
     }
@@ -199,13 +200,31 @@ Soundness look_at(const System<2>& system, Outline outline) {
   const std::vector<BodyShape> shapes = lay_out_bodies(system);
   const ImageSearch search(shapes, system.box);
   const double narrowest = narrowest_disc(system.state);
-  Look look(shapes, outline);
+  Look look(shapes.size(), shapes, outline);
   std::vector<BodyImage> near;
   for (int b = 0; b < static_cast<int>(shapes.size()); ++b) {
-    look.alone(b, narrowest);
+    look.alone(b, shapes[b], narrowest);
     search.find(b, near);
     for (const BodyImage& image : near)
       if (image.body >= b) look.together(b, image);
+  }
+  return look.result();
+}
+
+Soundness look_at_each(const System<2>& system, Outline outline) {
+  Soundness wrong = find_not_finite(system);
+  if (wrong.not_finite > 0) return wrong;
+  const State<2>& state = system.state;
+  const Topology<2>& t = system.topology;
+  const double narrowest = narrowest_disc(state);
+  const std::vector<BodyShape> none;
+  Look look(wrong.unsound.size(), none, outline);
+  BodyShape shape;
+  for (int b = 0; b < static_cast<int>(wrong.unsound.size()); ++b) {
+    if (t.body_size(b) == 1) continue;
+    shape.ring.assign(state.position.begin() + t.body_begin(b), state.position.begin() + t.body_end(b));
+    shape.radius.assign(state.radius.begin() + t.body_begin(b), state.radius.begin() + t.body_end(b));
+    look.alone(b, shape, narrowest);
   }
   return look.result();
 }

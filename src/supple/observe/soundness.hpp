@@ -34,4 +34,7 @@ struct Soundness {
 /// bodies, and as some ten for hundreds.
 Soundness look_at(const System<2>& system, Outline outline);
 
+/// The same of bodies that are known to be far apart, faster: each alone.
+Soundness look_at_each(const System<2>& system, Outline outline);
+
 }  // namespace supple
