@@ -123,9 +123,9 @@ LooseBody measure_alone(const Case& c, const Species& species, int body, const V
   return {packing_fraction(alone, outline_of(c)).area[0], outer_radius(alone, 0)};
 }
 
-/// The same of a body that the case has drawn, of a system. In closed form; or about the origin in a cell
+/// The same of a body of a system. In closed form; or about the origin in a cell
 /// that it fills, as outlines that nearly touch themselves want a small tolerance, which follows the cell.
-LooseBody measure_drawn(const Case& c, const Species& species, int body, const System<2>& system, int index) {
+LooseBody measure_here(const Case& c, const Species& species, int body, const System<2>& system, int index) {
   const int first = system.topology.body_begin(index);
   const std::span ring(system.state.position.data() + first,
                        static_cast<std::size_t>(system.topology.body_size(index)));
@@ -135,18 +135,17 @@ LooseBody measure_drawn(const Case& c, const Species& species, int body, const S
 }
 
 /// The same, made for this alone.
-LooseBody measure_drawn(const Case& c, const Species& species, int body) {
+LooseBody measure_here(const Case& c, const Species& species, int body) {
   System<2> alone;
   add_particle(c, species, body, {}, alone);
-  return measure_drawn(c, species, body, alone, 0);
+  return measure_here(c, species, body, alone, 0);
 }
 
 /// One of each species that the case does not draw.
-std::map<const Species*, LooseBody> measure_kinds(const Case& c, const std::vector<Species>& all,
-                                                  double apart) {
+std::map<const Species*, LooseBody> measure_kinds(const Case& c, const std::vector<Species>& all) {
   std::map<const Species*, LooseBody> found;
   for (const Species& s : all)
-    if (!buckles(s)) found[&s] = measure_alone(c, s, 0, {}, apart);
+    if (!buckles(s)) found[&s] = measure_here(c, s, 0);
   return found;
 }
 
@@ -208,14 +207,13 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   std::vector<double> area(static_cast<std::size_t>(bodies));
   loose.radius.resize(area.size());
   std::map<const Species*, LooseBody> kinds;
-  if (set_apart) kinds = measure_kinds(c, all, apart);
+  if (set_apart) kinds = measure_kinds(c, all);
   for_chunks(bodies, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for (auto b = static_cast<int>(begin); b < end; ++b) {
       const auto known = kinds.find(species[b]);
       const auto measured = [&] {
         if (buckles(*species[b]))
-          return set_apart ? measure_drawn(c, *species[b], b, *set_apart, b)
-                           : measure_drawn(c, *species[b], b);
+          return set_apart ? measure_here(c, *species[b], b, *set_apart, b) : measure_here(c, *species[b], b);
         // Every packing follows, to the last bit, from areas there.
         return known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);
       };

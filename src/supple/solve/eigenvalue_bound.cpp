@@ -128,7 +128,12 @@ class Rows {
     const auto before = [](const Element& a, const Element& b) { return a.column < b.column; };
     constexpr std::ptrdiff_t few = 40;
     if (last - first > few) return std::stable_sort(first, last, before);
-    for (auto e = first; e != last; ++e) std::rotate(std::upper_bound(first, e, *e, before), e, e + 1);
+    for (auto e = first; e != last; ++e) {
+      const Element moved = *e;
+      auto to = e;
+      for (; to != first && before(moved, *(to - 1)); --to) *to = *(to - 1);
+      *to = moved;
+    }
   }
 
   std::vector<std::size_t> begin_;

@@ -28,17 +28,30 @@ OuterPart part_of(const OuterProduct<2>& product, const std::vector<std::int32_t
 
 /// Squared frequency of a site that six further neighbours and a wall press on.
 double further_contacts(const System<2>& system, const ForceField& forces) {
-  double largest = 0;
-  for (int i = 0; i < system.state.size(); ++i) {
-    const double sigma = 2 * system.state.radius[i];
+  const auto spring_of = [&](double sigma) {
     const auto stiffness = [&](const BodyLaw& law) { return law.stiffness(0.5 * sigma, sigma); };
     double spring = forces.bodies() ? 6 * forces.bodies()->laws().most(stiffness) : 0;
     if (const auto& walls = forces.walls())
       spring += walls->repulsion.spring(sigma) *
                 std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);
+    return spring;
+  };
+  const std::vector<double>& radius = system.state.radius;
+  double largest = 0, spring = 0;
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    if (i == 0 || radius[i] != radius[i - 1]) spring = spring_of(2 * radius[i]);
     largest = std::max(largest, spring / system.state.mass[i]);
   }
   return largest;
+}
+
+/// Divides each entry by the root of the masses of its row and column.
+void weigh(std::vector<MatrixEntry>& entries, const std::vector<double>& mass) {
+  double product = 1, root = 1;  // masses are mostly those of the entry before
+  for (MatrixEntry& e : entries) {
+    if (const double p = mass[e.row()] * mass[e.col()]; p != product) product = p, root = std::sqrt(p);
+    e = {e.row(), e.col(), e.value() / root};
+  }
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ double frequency_bound(System<2>& system, ForceField& forces) {
   forces.add_split_hessian(system, blocks, products);
   std::vector<MatrixEntry> entries = degrees.hessian(system, blocks, evaluation.force);
   const std::vector<double> mass = degrees.masses(system);
-  for (MatrixEntry& e : entries) e = {e.row(), e.col(), e.value() / std::sqrt(mass[e.row()] * mass[e.col()])};
+  weigh(entries, mass);
   std::vector<std::int32_t> number_of_site(static_cast<std::size_t>(system.state.size()), -1);
   for (int k = 0; k < degrees.site_count(); ++k) number_of_site[degrees.sites()[k]] = 2 * k;
   std::vector<OuterPart> parts;
