@@ -86,23 +86,28 @@ class Body {
   /// Whether x, a point of its own curve, lies inside the body.
   bool covers_own(const Vec2& x, const OutlineCurve& on) const {
     if (shape_.is_disc()) return false;
-    switch (on.source) {
-      case Source::edge: return reached(x, -1, -1);
-      case Source::corner: return reached(x, shape_.previous(on.site), on.site) || in_polygon(x);
-      default: return reached(x, on.site, on.site) || in_polygon(x);
+    const int k = on.site, before = shape_.previous(k), after = shape_.next(k);
+    switch (on.source) {  // most of what is covered is so by what is next on the ring
+      case Source::edge: return reaches(k, x) || reaches(after, x) || reached(x, -1, -1);
+      case Source::corner:
+        return reaches(after, x) || reaches(shape_.previous(before), x) || reached(x, before, k) ||
+               in_polygon(x);
+      default: return reaches(after, x) || reaches(before, x) || reached(x, k, k) || in_polygon(x);
     }
   }
 
  private:
   /// Whether x is within the radius of a site (rough) or of an edge (smooth) other than these two.
   bool reached(const Vec2& x, int except, int or_except) const {
-    const bool discs = shape_.is_disc() || outline_ == Outline::rough;
-    for (const std::int32_t k : edges_.at(x[1])) {
-      if (k == except || k == or_except) continue;
-      const double distance = discs ? norm(x - shape_.ring[k]) : shape_.distance_to_edge(k, x);
-      if (distance < shape_.radius[k] - tolerance_) return true;
-    }
+    for (const std::int32_t k : edges_.at(x[1]))
+      if (k != except && k != or_except && reaches(k, x)) return true;
     return false;
+  }
+  /// Whether x is within the radius of this site (rough) or edge (smooth).
+  bool reaches(int k, const Vec2& x) const {
+    const bool discs = shape_.is_disc() || outline_ == Outline::rough;
+    const double distance = discs ? norm(x - shape_.ring[k]) : shape_.distance_to_edge(k, x);
+    return distance < shape_.radius[k] - tolerance_;
   }
   bool in_polygon(const Vec2& x) const {
     if (shape_.is_disc()) return false;
