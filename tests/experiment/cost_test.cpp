@@ -190,6 +190,23 @@ TEST(Cost, AThousandsSidedRingCostsNoSquareOfItsSides) {
   EXPECT_LT(cpu_seconds() - begin, 3);  // 0.3 s here; with all pairs of sides looked at, a minute
 }
 
+/// A thousand edges wide, each of 400 000 vertices meets a thousand others: the outline alone took minutes.
+TEST(Cost, VerticesThatReachOverAThousandEdgesAreRefusedAtOnce) {
+  for (const bool is_shape : {false, true}) {
+    Case c = bodies_case("jamming");
+    c.bodies.count = 4;
+    c.bodies.vertices = 100000;
+    (is_shape ? c.bodies.shape_parameter : c.bodies.diameter_ratio) = is_shape ? 1e6 : 1e3;
+    try {
+      derive(c, nullptr);
+      ADD_FAILURE();
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::input);
+      EXPECT_NE(std::string(e.what()).find("lower bodies.diameter_ratio"), std::string::npos) << e.what();
+    }
+  }
+}
+
 TEST(Cost, VerticesOfAnyWidthAreRefusedOrCounted) {
   for (const double ratio : {1e3, 1e9, 9007199254740992.0, 1e100, 1e308})
     for (const bool is_shape : {false, true}) {

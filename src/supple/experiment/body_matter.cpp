@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "supple/core/duration.hpp"
@@ -28,6 +29,33 @@ void check_cost(const Case& c, Problems& problems) {
       fmt::format("a run can have {:g}; these would need about {:.3g} GB of memory, and to jam them {}",
                   1.0 * most_sites, sites * bytes_per_site * 1e-9, describe_seconds(seconds_to_jam(sites))),
       c.species.empty() ? "lower bodies.N or bodies.vertices" : "lower N or vertices of species");
+}
+
+/// Vertices within the width of each vertex on its own ring, of all of them: about as many of another ring
+/// each one touches, and remembers, where two particles meet.
+double vertices_within_widths(const Case& c) {
+  double sum = 0;
+  for (const Species& s : species_of(c)) {
+    if (is_disc(s)) continue;
+    const double least = least_shape_parameter(s.vertices);
+    const double given = s.shape_ratio > 0 ? s.shape_ratio * least : s.shape_parameter;
+    const double wanted = is_soft(s) ? std::max(given, least) : least;
+    const double within = s.diameter_ratio * std::sqrt(wanted / least);  // edges are those of the regular one
+    sum += 1.0 * s.count * s.vertices * std::clamp(within, 1.0, 1.0 * s.vertices);
+  }
+  return sum;
+}
+
+/// The same as check_cost, of vertices that reach over very many edges.
+void check_widths(const Case& c, Problems& problems) {
+  constexpr double most = 10.0 * most_sites;
+  const double within = vertices_within_widths(c);
+  if (within <= most) return;
+  add_problem(
+      problems, c, fmt::format("vertices reach over {:.3g} others of their own ring", within),
+      fmt::format("a run can have {:g} such pairs; each vertex touches as many of another particle", most),
+      c.species.empty() ? "lower bodies.diameter_ratio, bodies.A0 or bodies.vertices"
+                        : "lower diameter_ratio, A0 or vertices of species");
 }
 
 /// The kinds of particles that the case describes, with the sections that do.
@@ -79,7 +107,10 @@ void check_species(const Case& c, Problems& problems) {
 }
 
 void check_bodies(const Case& c, Start, Problems& problems) {
-  if (c.initial.state.empty() && c.initial.packing.empty()) check_cost(c, problems);
+  if (c.initial.state.empty() && c.initial.packing.empty()) {
+    check_cost(c, problems);
+    if (problems.empty()) check_widths(c, problems);
+  }
   for (const auto& [section, kind] : kinds_of(c)) check_kind(c, section, *kind, problems);
   if (!is_disc(c.bodies)) check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
   check_species(c, problems);
