@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# ADMesh 0.98.4 (Debian 12: admesh 0.98.4-2) reading a grain, a regular tetrahedron in STL, and writing it again, as a check of surfaces
-# before a simulation does.
+# ADMesh 0.98.4 (Debian 12: admesh 0.98.4-2) reading a grain, a regular tetrahedron in STL, and writing it again, as a check of
+# surfaces before a simulation does.
 #
 # Guess: the volume goes with the cube of the size, and the normals are the same at every size.
-# Seen: at a size of 1e-3 the volume is given as 0.000000, and from 1e-6 on each normal that is written is 0 0 0, though the corners are
-# kept and nothing is reported: a side of less than about 1e-12 has no direction. What tells inside from outside by the normals
-# of the file finds neither. Scale grains to about 1 first (admesh --scale works on a file of micrometres).
+# Seen: at a size of 1e-3 the volume is given as 0.000000, and from 1e-6 on each normal that is written is 0 0 0, though the
+# corners are kept and nothing is reported: a side of less than about 1e-12 has no direction. What tells inside from outside by
+# the normals of the file finds neither. Scale grains to about 1 first (admesh --scale works on a file of micrometres).
 #   size 1: volume 0.117851, normal of length 1.000
 #   size 0.001: volume 0.000000, normal of length 1.000
 #   size 1e-06: volume 0.000000, normal of length 0.000

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Boost.Geometry 1.74 (Debian 12: libboost1.74-dev 1.74.0+ds1-21, compiled by g++) and Shapely 1.8.5 (python3-shapely 1.8.5-2+b1): the area
-# of the overlap of two squares of side 2, turned by 0.3, as a force law by overlap needs it: side on side (2 d) and a corner
-# pushed in by d (d²).
+# Boost.Geometry 1.74 (Debian 12: libboost1.74-dev 1.74.0+ds1-21, compiled by g++) and Shapely 1.8.5 (python3-shapely
+# 1.8.5-2+b1): the area of the overlap of two squares of side 2, turned by 0.3, as a force law by overlap needs it: side on side
+# (2 d) and a corner pushed in by d (d²).
 #
 # Guess: doubles give ten digits or more of such an area, until d comes near 1e-12.
-# Seen: Boost first moves corners to a grid of about 1e-7 of the picture: at d = 1e-5 a side is off by one per cent, at 1e-7 it is
-# double, and a corner is 5 times too large; at 1e-8 a side has no overlap and a corner 550 times its own, though `intersects` is
-# true each time. A force jumps where grains begin to touch, and energy is not conserved. BOOST_GEOMETRY_NO_ROBUSTNESS cures sides,
-# not corners, which end at 1e-8. Shapely (GEOS) is right to one part in a thousand at 1e-12.
+# Seen: Boost first moves corners to a grid of about 1e-7 of the picture: at d = 1e-5 a side is off by one per cent, at 1e-7 it
+# is double, and a corner is 5 times too large; at 1e-8 a side has no overlap and a corner 550 times its own, though
+# `intersects` is true each time. A force jumps where grains begin to touch, and energy is not conserved.
+# BOOST_GEOMETRY_NO_ROBUSTNESS cures sides, not corners, which end at 1e-8. Shapely (GEOS) is right to one part in a thousand at
+# 1e-12.
 #   d 1e-02: side 1.000, corner 1.000 of the exact area; Shapely 1.000, 1.000
 #   d 1e-05: side 1.009, corner 1.003 of the exact area; Shapely 1.000, 1.000
 #   d 1e-07: side 2.108, corner 5.497 of the exact area; Shapely 1.000, 1.000

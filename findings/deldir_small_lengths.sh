@@ -2,7 +2,7 @@
 # deldir 1.0-6 of R (Debian 12: r-cran-deldir 1.0-6-1+b1): the Voronoi areas of fifty grains in a square, by the unit of length.
 #
 # Guess: the areas add up to that of the square, whatever the unit.
-# Seen: in units of a millionth each area is 0, and so are all corners of the cells: what is returned is rounded to six decimals,
+# Seen: in units of a millionth each area is 0, and corners of cells are 0 or 1e-6: what is returned is rounded to six decimals,
 # not digits, unless `digits` is given. At a width of 1 the sum is already off by 2e-6. Far from the origin it is worse than
 # round-off, without a word: at 1e8 the areas of a square of width 1 add up to a negative number.
 #   width 1: sum of areas 1.000002 of the square, cells without area 0

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# gmsh 4.8.4 (Debian 12: python3-gmsh 4.8.4+ds2-3) with its OpenCASCADE kernel: union and overlap of two equal discs whose centres
-# are 1.3 radii apart, as the solid part of a packing is built before meshing.
+# gmsh 4.8.4 (Debian 12: python3-gmsh 4.8.4+ds2-3) with its OpenCASCADE kernel: union and overlap of two equal discs whose
+# centres are 1.3 radii apart, as the solid part of a packing is built before meshing.
 #
 # Guess: areas by the square of the radius, at every radius, or an error where a length is too small.
-# Seen: right down to a radius of 1e-5. At 1e-6 the discs stay two and have no overlap, at 1e-7 it is an error, at 1e-8 they are one and
-# the same disc: lengths below 1e-7 are none for OpenCASCADE, whatever the unit. Micrometres in metres lose their overlaps. A
-# gap or an overlap of 1e-7 between discs of radius 1 is gone likewise. Build in diameters, scale the mesh.
+# Seen: right down to a radius of 1e-5. At 1e-6 the discs stay two and have no overlap, at 1e-7 it is an error, at 1e-8 they are
+# one and the same disc: lengths below 1e-7 are none for OpenCASCADE, whatever the unit. Micrometres in metres lose their
+# overlaps. A gap or an overlap of 1e-7 between discs of radius 1 is gone likewise. Build in diameters, scale the mesh.
 #   radius 1: union 1 of area 5.5447, overlap 1 of area 0.7385
 #   radius 1e-05: union 1 of area 5.5447, overlap 1 of area 0.7385
 #   radius 1e-06: union 2 of area 6.2832, overlap 0 of area 0.0000

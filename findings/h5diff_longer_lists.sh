@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# h5diff of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1) comparing datasets of variable length, as corners of polygons or
-# contacts of grains are stored, and tables (files by python3-h5py 3.7.0-8).
+# h5diff of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1) comparing datasets of variable length, as corners of polygons
+# or contacts of grains are stored, and tables (files by python3-h5py 3.7.0-8).
 #
-# Guess: a list of two numbers and one of three differ, whichever file comes first; a table of x and y differs from one of x and z.
-# Seen: where each list of the first file is the beginning of that in the second, the files are equal: status 0, and not a word, not even
-# that they are not comparable. The other way round they differ. So a grain may gain corners or contacts unseen. The names of the
-# columns of a table are not compared at all. Compare both ways round.
+# Guess: a list of two numbers and one of three differ, whichever file comes first; a table of x and y differs from one of x and
+# z.
+# Seen: where each list of the first file is the beginning of that in the second, the files are equal: status 0, and not a word,
+# not even that they are not comparable. The other way round they differ. So a grain may gain corners or contacts unseen. The
+# names of the columns of a table are not compared at all. Compare both ways round.
 #   lists of 2 2 against 2 3: status 0, says nothing
 #   lists of 2 3 against 2 2: status 1, says 1 differences found
 #   columns x y against x z: status 0, says nothing

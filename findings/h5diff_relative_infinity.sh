@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# h5diff -p of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1): comparing two runs by a relative tolerance, one of which went to
-# infinity (files by python3-h5py 3.7.0-8).
+# h5diff -p of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1): comparing two runs by a relative tolerance, one of which
+# went to infinity (files by python3-h5py 3.7.0-8).
 #
 # Guess: an infinity equals an infinity of the same sign, and nothing else, in either order of the files.
-# Seen: with -p an infinity in the first file equals every number in the second, 3 as well as the other infinity: the difference over
-# the first value is not a number, and that is not more than the tolerance. A run that blew up passes against its reference if
-# it is named first. The other order, -d and no option at all find it. nan is told from numbers each time.
+# Seen: with -p an infinity in the first file equals every number in the second, 3 as well as the other infinity: the difference
+# over the first value is not a number, and that is not more than the tolerance. A run that blew up passes against its reference
+# if it is named first. The other order, -d and no option at all find it. nan is told from numbers each time.
 #   inf against 3: -p status 0, -d status 1
 #   3 against inf: -p status 1, -d status 1
 #   inf against -inf: -p status 0, -d status 1

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# h5repack of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1) compressing a file in which one dataset has the filter LZF of h5py
-# (python3-h5py 3.7.0-8), which these tools do not have.
+# h5repack of HDF5 1.10.8 (Debian 12: hdf5-tools 1.10.8+repack1-1) compressing a file in which one dataset has the filter LZF of
+# h5py (python3-h5py 3.7.0-8), which these tools do not have.
 #
 # Guess: the dataset is copied as it is, as without an option, or the program fails.
-# Seen: status 0, a warning, and the new file lacks the dataset. A script that compresses results and puts them in place of the old ones
-# loses it. Compare the lists of datasets before the old file goes, or set HDF5_PLUGIN_PATH to where the filter is.
+# Seen: status 0, a warning, and the new file lacks the dataset. A script that compresses results and puts them in place of the
+# old ones loses it. Compare the lists of datasets before the old file goes, or set HDF5_PLUGIN_PATH to where the filter is.
 #   no option: status 0, says nothing; holds energy position
 #   -f GZIP=4: status 0, says Warning: dataset </position> cannot be read, user defined filter is not available; holds energy
 set -euo pipefail

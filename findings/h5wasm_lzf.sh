@@ -3,9 +3,9 @@
 # python3-h5py 3.7.0-8).
 #
 # Guess: an exception, as the filter is not part of it; or the right numbers.
-# Seen: no exception: `value` is an array of the right length of numbers that are not in the file, whatever was in memory before.
-# The messages of the library go to the console, past the caller, and a page plots the numbers. Datasets of gzip, shuffle and
-# scale-offset in the same file are right. Look at `filters` of each dataset before its value, or store gzip.
+# Seen: no exception: `value` is an array of the right length of numbers that are not in the file, whatever was in memory
+# before. The messages of the library go to the console, past the caller, and a page plots the numbers. Datasets of gzip,
+# shuffle and scale-offset in the same file are right. Look at `filters` of each dataset before its value, or store gzip.
 #   gzip: 1000 numbers, right, filters shuffle deflate
 #   scaleoffset: 1000 numbers, right, filters scaleoffset
 #   lzf: 1000 numbers, not those of the file, filters lzf

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# HDF5 1.10.8 by h5py (Debian 12: python3-h5py 3.7.0-8): a thousand lists of a thousand zeros each, as corners of bodies or contacts of
-# grains are kept, with gzip of the highest level.
+# HDF5 1.10.8 by h5py (Debian 12: python3-h5py 3.7.0-8): a thousand lists of a thousand zeros each, as corners of bodies or
+# contacts of grains are kept, with gzip of the highest level.
 #
 # Guess: a few kilobytes, as for the same numbers in a plain dataset of two dimensions.
-# Seen: eight megabytes, as without gzip: the filter works on the references to the lists, and the lists themselves lie elsewhere, not
-# compressed. The dataset still says `compression: gzip`, and its storage size is that of the references. Short lists of six
-# numbers take more than the numbers do. Store all lists in one plain dataset, and where each begins in another.
+# Seen: eight megabytes, as without gzip: the filter works on the references to the lists, and the lists themselves lie
+# elsewhere, not compressed. The dataset still says `compression: gzip`, and its storage size is that of the references. Short
+# lists of six numbers take more than the numbers do. Store all lists in one plain dataset, and where each begins in another.
 #   table, gzip: below 0.1 MB in the file
 #   lists, gzip: above 8 MB in the file, compression gzip, storage size below 0.1 MB
 #   10000 lists of six, gzip: 1.4 times their numbers

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# hdf5r 1.3.8 of R (Debian 12: r-cran-hdf5r 1.3.8+dfsg-1) reading a table of particles whose column `position` holds two numbers a
-# row (a compound type with an array in it, written by python3-h5py 3.7.0-8).
+# hdf5r 1.3.8 of R (Debian 12: r-cran-hdf5r 1.3.8+dfsg-1) reading a table of particles whose column `position` holds two numbers
+# a row (a compound type with an array in it, written by python3-h5py 3.7.0-8).
 #
 # Guess: a data frame with a matrix of three rows and two columns as its column, or one column for each component.
-# Seen: a data frame of three rows whose column has six numbers: all x, then all y. A row shows x alone; rows taken by number drop y
-# (sorted ones too), rows taken by a condition have more numbers than rows. No warning. matrix(d$position, ncol = 2) has both.
+# Seen: a data frame of three rows whose column has six numbers: all x, then all y. A row shows x alone; rows taken by number
+# drop y (sorted ones too), rows taken by a condition have more numbers than rows. No warning. matrix(d$position, ncol = 2) has
+# both.
 #   rows 3, position 1 3 5 2 4 6
 #   row 2: id 2 position 3 radius 0.2
 #   rows of radius above 0.15: position 3 5 4 6, row 2 and 3: 3 5

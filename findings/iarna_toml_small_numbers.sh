@@ -2,10 +2,10 @@
 # @iarna/toml 3.0.0 and smol-toml 1.9.1 (npm): reading a case in TOML, such as those of simulations, and writing it again.
 #
 # Guess: what is written is read again with the same numbers and types.
-# Seen: @iarna/toml writes 1e-7 as `1e-7.undefined`, which no reader takes, its own neither: each number below 1e-6 that is a power
-# of ten or has one digit. 1.5e-7 is fine. Both write the float 1.0 as the integer 1 and 1e3 as 1000, so a reader that tells
-# floats from integers refuses what it gave them; and a list of floats becomes one of both kinds. smol-toml reads no integer
-# beyond 2^53. Write cases as text, not from numbers.
+# Seen: @iarna/toml writes 1e-7 as `1e-7.undefined`, which no reader takes, its own neither: each number below 1e-6 that is a
+# power of ten or has one digit. 1.5e-7 is fine. Both write the float 1.0 as the integer 1 and 1e3 as 1000, so a reader that
+# tells floats from integers refuses what it gave them; and a list of floats becomes one of both kinds. smol-toml reads no
+# integer beyond 2^53. Write cases as text, not from numbers.
 #   @iarna/toml: radius = 1 | time_step = 1e-7.undefined | gap = 1.5e-7 | widths = [ 1, 2.5 ] | read again: TomlError
 #   smol-toml: radius = 1 | time_step = 1e-7 | gap = 1.5e-7 | widths = [ 1, 2.5 ] | read again: the same
 #   seed = 9007199254740993: @iarna/toml 9007199254740993, smol-toml TomlError

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): `compute fabric` of discs in a simulation of dimension 2: six
-# around one, as isotropic as contacts in a plane can be, and a pair along x.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): `compute fabric` of discs in a simulation of dimension 2:
+# six around one, as isotropic as contacts in a plane can be, and a pair along x.
 #
 # Guess: in two dimensions the isotropic part is half the trace, and the fabric of the six is zero.
-# Seen: a third of the trace is taken away and what is left is times 15/2, as in three dimensions: the six give 1.25, 1.25 and -2.5 along
-# z, where no contact can be; the pair gives 5 and -2.5, which do not cancel. Use the difference xx - yy, which is right but for
-# the factor (4 for discs, so 4/7.5 of it). The manual's formula says nothing of two dimensions, and takes away the whole trace.
+# Seen: a third of the trace is taken away and what is left is times 15/2, as in three dimensions: the six give 1.25, 1.25 and
+# -2.5 along z, where no contact can be; the pair gives 5 and -2.5, which do not cancel. Use the difference xx - yy, which is
+# right but for the factor (4 for discs, so 4/7.5 of it). The manual's formula says nothing of two dimensions, and takes away
+# the whole trace.
 #   six around one, 12 contact(s): xx 1.25 yy 1.25 zz -2.50 xy 0.00
 #   a pair along x, 1 contact(s): xx 5.00 yy -2.50 zz -2.50 xy 0.00
 set -euo pipefail
@@ -29,7 +30,8 @@ pair_coeff * *
 compute fabric all fabric radius contact
 thermo_style custom step c_fabric c_fabric[1] c_fabric[2] c_fabric[3] c_fabric[4]
 run 0
-print "SEEN $(c_fabric:%.0f) contact(s): xx $(c_fabric[1]:%.2f) yy $(c_fabric[2]:%.2f) zz $(c_fabric[3]:%.2f) xy $(abs(c_fabric[4]):%.2f)"
+print "SEEN $(c_fabric:%.0f) contact(s): xx $(c_fabric[1]:%.2f) yy $(c_fabric[2]:%.2f) &
+zz $(c_fabric[3]:%.2f) xy $(abs(c_fabric[4]):%.2f)"
 IN
 run() { lmp -in fabric.in -log none | sed -n "s/^SEEN /$1, /p"; }
 {

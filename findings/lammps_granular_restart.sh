@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): a restart file of two frictional grains of pair_style granular,
-# read by a new process, which "restores" that style from the file.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): a restart file of two frictional grains of pair_style
+# granular, read by a new process, which "restores" that style from the file.
 #
 # Guess: the run goes on with the same forces, as with gran/hooke/history, whose style comes from the file in the same way.
-# Seen: the springs of friction begin at zero, with linear_history and mindlin; with mindlin_rescale it is an error. "Unused restart
-# file peratom fix info" among the output is the only sign. Where pair_style and pair_coeff are given again after read_restart,
-# all springs are there.
+# Seen: the springs of friction begin at zero, with linear_history and mindlin; with mindlin_rescale it is an error. "Unused
+# restart file peratom fix info" among the output is the only sign. Where pair_style and pair_coeff are given again after
+# read_restart, all springs are there.
 #   gran/hooke/history: fy -0.04999, read -0.04999, style given again -0.04999
 #   granular linear_history: fy -0.04999, read -0.00000, style given again -0.04999
 #   granular mindlin: fy -0.00750, read -0.00000, style given again -0.00750

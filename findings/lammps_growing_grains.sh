@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): grains that grow, by `fix adapt ... diameter`, from 1 to 2 until
-# they overlap, as packings are compressed: two grains 1.9 apart, held in place, atom_style sphere 1.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): grains that grow, by `fix adapt ... diameter`, from 1 to
+# 2 until they overlap, as packings are compressed: two grains 1.9 apart, held in place, atom_style sphere 1.
 #
 # Guess: they push each other from diameter 1.9 on, at least where the neighbour list is built at each step.
-# Seen: no force at diameter 2 and overlap 0.1, with "Dangerous builds = 0": the list is built where grains have moved by half the
-# skin, and these do not move. Built at each step it still reaches as far as the diameters at the start of the run did, up to the
-# bins that they were sorted into: grains at 4 and 5.9 push each other, those at 5 and 6.9 do not. A `run 0` after it has the
-# force of 100. Make the skin as large as the growth, or run in parts.
+# Seen: no force at diameter 2 and overlap 0.1, with "Dangerous builds = 0": the list is built where grains have moved by half
+# the skin, and these do not move. Built at each step it still reaches as far as the diameters at the start of the run did, up
+# to the bins that they were sorted into: grains at 4 and 5.9 push each other, those at 5 and 6.9 do not. A `run 0` after it has
+# the force of 100. Make the skin as large as the growth, or run in parts.
 #   at 5, skin 0.3, list as needed: built 0 times, force 0, in a run 0 after it -100
 #   at 5, skin 0.3, list each step: built 1000 times, force 0, in a run 0 after it -100
 #   at 4, skin 0.3, list each step: built 1000 times, force -100, in a run 0 after it -100
@@ -45,8 +45,11 @@ run 0
 print "FORCE \$(fx[1]:%.0f)"
 IN
   lmp -in grow.in -log none -screen screen
-  echo "at $1, skin $2, list $([ "$3" = yes ] && echo as needed || echo each step): built $(awk '/^Neighbor list builds/ { print $5; exit }' screen) times, force $(awk '/^FORCE/ { print $2 }' screen |
-    paste -sd' ' | sed 's/ /, in a run 0 after it /')"
+  when="each step"
+  [ "$3" = no ] || when="as needed"
+  built=$(awk '/^Neighbor list builds/ { print $5; exit }' screen)
+  echo "at $1, skin $2, list $when: built $built times, force $(awk '/^FORCE/ { print $2 }' screen | paste -sd' ' |
+    sed 's/ /, in a run 0 after it /')"
 }
 {
   grow 5 0.3 yes

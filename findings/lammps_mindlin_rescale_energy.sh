@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): the energy that a contact of pair_style granular gives or takes
-# in a closed path without sliding (friction 10, no damping): 0.01 along the contact and 0.05 deeper, and both back.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): the energy that a contact of pair_style granular gives or
+# takes in a closed path without sliding (friction 10, no damping): 0.01 along the contact and 0.05 deeper, and both back.
 #
-# Guess: mindlin may create energy, as stiffness grows with depth; mindlin_rescale, which its manual gives as the cure, does not.
-# Seen: sheared, then pressed, then sheared back, mindlin_rescale creates 6.5e-4 a round, just as mindlin does, nearly half of the
-# 1.46e-3 that the shear took: it rescales the displacement as the contact unloads, and this path is sheared back while loaded. Its
-# cure belongs to a history of forces: mindlin_rescale/force takes 7.4e-4 either way round, mindlin/force alone creates in the
-# other order. Packings under vibration heat up with the first three.
+# Guess: mindlin may create energy, as stiffness grows with depth; mindlin_rescale, which its manual gives as the cure, does
+# not.
+# Seen: sheared, then pressed, then sheared back, mindlin_rescale creates 6.5e-4 a round, just as mindlin does, nearly half of
+# the 1.46e-3 that the shear took: it rescales the displacement as the contact unloads, and this path is sheared back while
+# loaded. Its cure belongs to a history of forces: mindlin_rescale/force takes 7.4e-4 either way round, mindlin/force alone
+# creates in the other order. Packings under vibration may heat up with the first three.
 #   mindlin: shear first +6.5e-04, press first -7.4e-04
 #   mindlin_rescale: shear first +6.5e-04, press first -1.7e-03
 #   mindlin/force: shear first -7.4e-04, press first +6.5e-04

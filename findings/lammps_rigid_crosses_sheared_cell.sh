@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): rigid clumps (fix rigid, fix rigid/nve) in a cell sheared by
-# `fix deform ... remap v`, at rate 0.1 and height 10: what leaves through the top is back at the bottom, 1 slower along x.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): rigid clumps (fix rigid, fix rigid/nve) in a cell sheared
+# by `fix deform ... remap v`, at rate 0.1 and height 10: what leaves through the top is back at the bottom, 1 slower along x.
 #
 # Guess: a clump is given the velocity of the flow at its other side as a single grain is, since `remap v` is made for this.
 # Seen: a grain goes from 0.4 to -0.6, a clump keeps its 0.4, without a warning: after each crossing it is faster than what is
-# around it by rate times height, and the damping of its contacts heats the flow. The steps of `remap x` are not the same either:
-# the position of a clump is not moved with the cell, that of a grain is. Shear clumps between walls.
+# around it by rate times height, which damping then turns into heat. Shear clumps between walls.
 #   fix nve/sphere, remap v: vx 0.4 becomes -0.6 at y 8.0
 #   fix rigid, remap v: vx 0.4 becomes 0.4 at y 8.0
 #   fix rigid/nve, remap v: vx 0.4 becomes 0.4 at y 8.0

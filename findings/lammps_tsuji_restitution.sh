@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): pair_style granular with `damping tsuji`, where the number
-# of the normal model is the coefficient of restitution: two equal spheres meet head-on and part.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): pair_style granular with `damping tsuji`, where the
+# number of the normal model is the coefficient of restitution: two equal spheres meet head-on and part.
 #
 # Guess: they part with that fraction of their speed, at any speed, where the normal force is Hertz's.
 # Seen: the same at any speed, and too large: 0.928 for 0.9, 0.616 for 0.5, 0.343 for 0.2. The polynomial of the damping gives
 # about 1/sqrt(2) of the ratio that the equation of motion of such a pair needs, -sqrt(5) ln e / sqrt(pi² + ln² e), wherever its
-# mass is the reduced one. With a linear spring it is another value again, as the ratio is one for Hertz's law. Measure a
-# bounce before the number is quoted.
+# mass is the reduced one. With a linear spring it is another value again, as the ratio is one for Hertz's law. Measure a bounce
+# before the number is quoted.
 #   hertz/material 10000 0.9 0.3, speed 1: 0.928
 #   hertz/material 10000 0.5 0.3, speed 1: 0.616
 #   hertz/material 10000 0.2 0.3, speed 1: 0.343

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): oscillatory shear by `fix deform ... xy wiggle 2 8` (amplitude 2,
-# period 8), in one run or in several with output between them.
+# LAMMPS 20220106 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2): oscillatory shear by `fix deform ... xy wiggle 2 8`
+# (amplitude 2, period 8), in one run or in several with output between them.
 #
 # Guess: the tilt at time t is 2 sin(2 pi t / 8), however the steps are divided among `run` commands, as the fix stays the same.
-# Seen: each run begins a new oscillation from the tilt it finds, at its full rate: after runs to 1.5 and 2.2 the tilt is 2.89, beyond
-# the amplitude, and not 1.98; after four runs of a quarter period it is 8, a mean strain that grows. Velocities given to what
-# crosses jump with it. `run 2200 every 500` counts as parts too, and so does a restart file. `run ... start 0` cures it within one
-# process; across restarts run whole periods.
+# Seen: each run begins a new oscillation from the tilt it finds, at its full rate: after runs to 1.5 and 2.2 the tilt is 2.89,
+# beyond the amplitude, and not 1.98; after four runs of a quarter period it is 8, a mean strain that grows. Velocities given to
+# what crosses jump with it. `run 2200 every 500` counts as parts too, and so does a restart file. `run ... start 0` cures it
+# within one process; across restarts run whole periods.
 #   one run to 2.2: tilt 1.98
 #   runs to 1.5 and 2.2: tilt 2.89
 #   one run with every 500 to 2.2: tilt 3.37

@@ -3,9 +3,9 @@
 # (lammps 20220106.git7586adbb6a+ds1-2+b2, atom_style sphere; its rows are id, type, diameter, density, x, y, z, images).
 #
 # Guess: the line "Atoms # sphere" tells the columns, or an error asks for them: there is no charge in such a file.
-# Seen: the rows are taken for those of molecules: the type is the molecule, the diameter is the type and the density is the charge,
-# silently. "type 1" selects nothing, "type 1.4" selects the grains of that diameter. Give the
-# columns: atom_style="id type diameter density x y z"; the diameter is dropped then.
+# Seen: the rows are taken for those of molecules: the type is the molecule, the diameter is the type and the density is the
+# charge, silently. "type 1" selects nothing, "type 1.4" selects the grains of that diameter. Give the columns: atom_style="id
+# type diameter density x y z"; the diameter is dropped then.
 #   types 0.7 1.4, charges 2.0 3.0, molecules 1 2; "type 1" selects 0
 #   with atom_style given: types 1 2; "type 1" selects 1; diameters: none
 set -euo pipefail

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Packmol 20.14.0 (Debian 12: packmol 1:20.14.0-1) placing sixty grains of diameter 1, as a start of a simulation, by the unit of
-# length.
+# Packmol 20.14.0 (Debian 12: packmol 1:20.14.0-1) placing sixty grains of diameter 1, as a start of a simulation, by the unit
+# of length.
 #
 # Guess: distances of at least a diameter, in any unit, wherever it prints "Success!".
-# Seen: so in diameters, though grains leave their box by up to a hundredth. With the same packing in units of a hundredth it is a
-# success too, with centres 0.3 diameters apart; with a millionth grains are on top of each other. A violation of 0.01 passes as
-# none whatever the sizes are, and six decimals are written. Pack in diameters, or give `precision`.
+# Seen: so in diameters, though grains leave their box by up to a hundredth. With the same packing in units of a hundredth it is
+# a success too, with centres 0.3 diameters apart; with a millionth grains are on top of each other. `precision` in the same
+# proportion changes nothing. Pack in diameters, and scale what comes.
 #   diameter 1: Success, least distance 1.0 diameters
 #   diameter 0.01: Success, least distance below 0.5 diameters
 #   diameter 1e-06: Success, least distance below 0.5 diameters

@@ -3,8 +3,8 @@
 # radius.
 #
 # Guess: areas by the square of the radius, from 1 to 1e-10: a grain is the same in metres as in diameters.
-# Seen: so at 1. From 1e-4 to 1e-8 it is an exception, and at 1e-9 union and overlap are both empty, without a word: grains of
-# a colloid in metres have no area. A length of 1e-10 counts as none, whatever the size of the polygons. Divide by a diameter
+# Seen: so at 1. From 1e-4 to 1e-8 it is an exception, and at 1e-9 union and overlap are both empty, without a word: grains of a
+# colloid in metres have no area. A length of 1e-10 counts as none, whatever the size of the polygons. Divide by a diameter
 # first. polygon-clipping 0.15.7 is right at each size.
 #   radius 1: union 5.53739, overlap 0.73571; polygon-clipping: union 5.53739, overlap 0.73571
 #   radius 1e-7: Error; polygon-clipping: union 5.53739, overlap 0.73571

@@ -3,8 +3,8 @@
 # scipy.sparse.linalg.eigsh(K, sigma=0): ARPACK on the inverse by SuperLU. K has two zero modes, the translations.
 #
 # Guess: an error, as K is singular; or, as round-off leaves a pivot of 1e-16, the two translations and then the true modes.
-# Seen: three zero modes, of every network tried, without a warning. One of the three vectors is made up: K times it has length 3.
-# The others are not translations either, and the frequencies after them are right to two or three digits. A count of floppy
+# Seen: three zero modes, of every network tried, without a warning. One of the three vectors is made up: K times it has length
+# 3. The others are not translations either, and the frequencies after them are right to two or three digits. A count of floppy
 # modes is off by one. Shift to a small negative number, and look at |K v - w v|.
 #   ordered, sigma 0: 3 zero modes, largest residual above 1
 #   ordered, sigma -0.001: 2 zero modes, largest residual below 1e-9

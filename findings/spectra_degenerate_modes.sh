@@ -3,10 +3,10 @@
 # a periodic triangular lattice of 6 by 6 points and springs, by SymEigsShiftSolver with twenty shifts below zero.
 #
 # Guess: where a value is sixfold, as those of crystals are, it comes as often as asked for, or the solver has not converged.
-# Seen: "Successful", all six converged, residuals below 1e-8, and still not the lowest six: after the two translations the value
-# is 0.5, six times; three of them come, and then 1.5. It is so with every shift, also from random starts; it is right with
-# 18 vectors in place of 20. A density of states has holes that no check of residuals shows. Ask a dense or a block solver, or
-# move the points by a hundredth.
+# Seen: "Successful", all six converged, residuals below 1e-8, and still not the lowest six: after the two translations the
+# value is 0.5, six times; three of them come, and then 1.5. It is so with every shift, also from random starts; it is right
+# with 18 vectors in place of 20. A density of states has holes that no check of residuals shows. Ask a dense or a block solver,
+# or move the points by a hundredth.
 #   all: 0 0 0.5 0.5 0.5 0.5
 #   20 vectors: 0 0 0.5 0.5 0.5 1.5; not the lowest six with 20 of 20 shifts
 #   18 vectors: 0 0 0.5 0.5 0.5 0.5; not the lowest six with 0 of 20 shifts

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# three.js 0.170.0 (npm: three): PLYLoader, OBJLoader and XYZLoader reading polygons and points, as shown in a page of a simulation.
+# three.js 0.170.0 (npm: three): PLYLoader, OBJLoader and XYZLoader reading polygons and points, as shown in a page of a
+# simulation.
 #
-# Guess: a polygon comes with all its area, whatever its number of corners, or it is an error; the XYZ files of chemists are read.
-# Seen: PLYLoader takes faces of three and four corners; a pentagon is dropped without a word and the mesh has no face. One with four
-# corners and a dent is cut across the dent: 3 for an area of 1. OBJLoader makes a fan from the first corner: right for these two
-# if the dent is seen from there, 3.8 for 2.2 if not. XYZLoader drops every row that begins with an element: no points, while
-# bare numbers are read. Write triangles, and points as PLY.
+# Guess: a polygon comes with all its area, whatever its number of corners, or it is an error; the XYZ files of chemists are
+# read.
+# Seen: PLYLoader takes faces of three and four corners; a pentagon is dropped without a word and the mesh has no face. One with
+# four corners and a dent is cut across the dent: 3 for an area of 1. OBJLoader makes a fan from the first corner: right for
+# these two if the dent is seen from there, 3.8 for 2.2 if not. XYZLoader drops every row that begins with an element: no
+# points, while bare numbers are read. Write triangles, and points as PLY.
 #   pentagon of area 1.25: PLY 0 triangles of area 0, OBJ 3 triangles of area 1.25
 #   dented quadrangle of area 1: PLY 2 triangles of area 3, OBJ 2 triangles of area 1
 #   dented pentagon of area 2.2: PLY 0 triangles of area 0, OBJ 3 triangles of area 3.8
@@ -25,7 +27,8 @@ const triangles = (geometry, isIndexed) => {
   let area = 0;
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = indices.slice(i, i + 3);
-    area += Math.abs((at.getX(b) - at.getX(a)) * (at.getY(c) - at.getY(a)) - (at.getX(c) - at.getX(a)) * (at.getY(b) - at.getY(a))) / 2;
+    const [x, y] = [(i) => at.getX(i) - at.getX(a), (i) => at.getY(i) - at.getY(a)];
+    area += Math.abs(x(b) * y(c) - x(c) * y(b)) / 2;
   }
   return `${indices.length / 3} triangles of area ${Number(area.toFixed(3))}`;
 };
@@ -37,7 +40,8 @@ for (const [name, corners] of [['pentagon of area 1.25', [[0, 0], [1, 0], [1.5, 
   const ply = new PLYLoader().parse(['ply', 'format ascii 1.0', `element vertex ${n}`, 'property double x', 'property double y',
     'property double z', 'element face 1', 'property list uchar int vertex_indices', 'end_header', ...rows,
     `${n} ${corners.map((_, i) => i).join(' ')}`, ''].join('\n'));
-  const obj = new OBJLoader().parse([...rows.map((row) => `v ${row}`), `f ${corners.map((_, i) => i + 1).join(' ')}`, ''].join('\n'));
+  const face = `f ${corners.map((_, i) => i + 1).join(' ')}`;
+  const obj = new OBJLoader().parse([...rows.map((row) => `v ${row}`), face, ''].join('\n'));
   console.log(`${name}: PLY ${triangles(ply, true)}, OBJ ${triangles(obj.children[0].geometry, false)}`);
 }
 const points = (row) => new XYZLoader().parse(`2\n\n${row}\n${row}\n`).attributes.position.count;

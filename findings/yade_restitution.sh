@@ -4,9 +4,9 @@
 #
 # Guess: it parts with `en` times its speed, from another sphere as from a wall.
 # Seen: always faster, and by how much depends on what it meets. Two spheres of `en` 0.5 part with 0.55: damping is that of a
-# spring which may pull, and the law lets go as soon as the force would pull. A wall, a facet and a fixed sphere of radius 1 give
-# 0.646: the damping is taken for half the mass of the sphere, as if the other one moved as well. A fixed sphere of radius 100 is
-# right but for the pull; one of radius 0.1 does not turn the sphere back within two contact times. Measure a bounce.
+# spring which may pull, and the law lets go as soon as the force would pull. A wall, a facet and a fixed sphere of radius 1
+# give 0.646: the damping is taken for half the mass of the sphere, as if the other one moved as well. A fixed sphere of radius
+# 100 is right but for the pull; one of radius 0.1 does not turn the sphere back within two contact times. Measure a bounce.
 #   en 0.9: sphere 0.902, wall 0.929, fixed sphere 0.929, large fixed sphere 0.902
 #   en 0.5: sphere 0.550, wall 0.646, fixed sphere 0.646, large fixed sphere 0.550
 #   en 0.2: sphere 0.324, wall 0.429, fixed sphere 0.429, large fixed sphere 0.324

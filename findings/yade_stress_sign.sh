@@ -4,9 +4,9 @@
 # shear forces.
 #
 # Guess: the parts add up to the stress; with compressionPositive=True compression is positive.
-# Seen: compressionPositive=True makes it negative, and the default makes it positive. And it is too large: the branch is the sum
-# of the radii, not the distance of the centres that its description names: by 5 in 100 at an overlap of 0.05, by a quarter at
-# one of 0.2. -F d / V by hand is what getStress gives.
+# Seen: compressionPositive=True makes it negative, and the default makes it positive. And it is too large: the branch is the
+# sum of the radii, not the distance of the centres that its description names: by 5 in 100 at an overlap of 0.05, by a quarter
+# at one of 0.2. -F d / V by hand is what getStress gives.
 #   distance 0.95: -F d / V -371.1, getStress -371.1, parts 390.6, with compressionPositive=True -390.6
 #   distance 0.8: -F d / V -1250.0, getStress -1250.0, parts 1562.5, with compressionPositive=True -1562.5
 set -euo pipefail
