@@ -4,14 +4,13 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "tests/support/dense.hpp"
 #include "tests/support/objectives.hpp"
 
 namespace supple {
 namespace {
 
-Eigen::MatrixXd dense(const SparseMatrix& lower) {
-  return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
-}
+using testing::dense;
 
 /// A symmetric matrix with about four elements a row and eigenvalues of both signs; `first_empty` rows and
 /// columns of zeros.
@@ -33,7 +32,7 @@ double least_eigenvalue(const SparseMatrix& lower) {
 }
 
 void expect_solves(Factorisation& factorisation, const SparseMatrix& lower, double shift) {
-  const int n = static_cast<int>(lower.rows());
+  const int n = lower.size;
   std::vector<double> b(n);
   for (int i = 0; i < n; ++i) b[i] = std::sin(3.0 * i);
   const Eigen::VectorXd right = Eigen::Map<Eigen::VectorXd>(b.data(), n);
@@ -76,9 +75,8 @@ TEST(Factorisation, FindsNegativeCurvature) {
 
 TEST(Factorisation, EmptyRowsNeedAShift) {
   Factorisation factorisation;
-  SparseMatrix lower(5, 5);
-  lower.insert(2, 2) = 1;
-  lower.makeCompressed();
+  SparseMatrix lower;
+  sum_entries(5, {{2, 2, 1.0}}, lower);
   factorisation.set(lower);
   EXPECT_FALSE(factorisation.factorise(0));
   EXPECT_EQ(factorisation.negative_curvature(), 0);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "tests/support/dense.hpp"
 #include "tests/support/objectives.hpp"
 
 namespace supple {
@@ -70,7 +71,7 @@ TEST(LargestEigenvalue, IsThatOfTheHessianAndMovesNothing) {
   descent.evaluate();
   SparseMatrix lower;
   discs.hessian(x, lower);
-  const Eigen::MatrixXd full = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+  const Eigen::MatrixXd full = testing::dense(lower);
   const auto values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full).eigenvalues();
   const double expected = std::max(values[119], -values[0]);
   const auto gradient = descent.gradient;

@@ -8,6 +8,7 @@
 #include "supple/core/error.hpp"
 #include "supple/model/polygons.hpp"
 #include "supple/solve/body_objective.hpp"
+#include "tests/support/dense.hpp"
 #include "tests/support/objectives.hpp"
 
 namespace supple {
@@ -36,7 +37,7 @@ void record(const std::string& name, const MinimiseReport& report) {
 void expect_hessian(Objective& objective, std::vector<double> x, double step, double tolerance) {
   SparseMatrix lower;
   objective.hessian(x, lower);
-  const Eigen::MatrixXd full = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+  const Eigen::MatrixXd full = testing::dense(lower);
   std::vector<double> up(x.size()), down(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double at = x[i];
@@ -308,7 +309,7 @@ TEST(Minimise, CoincidentDiscsPart) {
     System<2> system;
     system.box.length = {8, 8};
     for (int k = 0; k < 2; ++k) add_disc_body(system, {4, 4}, 0.5);
-    ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
+    ForceField field(RoughContacts(Harmonic{1, true}));
     BodyObjective objective(system, field, {1e-9, 1e-12});
     std::vector<double> x = objective.coordinates();
     MinimiseSpec spec = by_name(name);

@@ -9,7 +9,7 @@
 
 namespace supple::testing {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+using Triplets = std::vector<MatrixEntry>;
 
 inline void add_entry(Triplets& list, int i, int j, double value) {
   list.emplace_back(std::max(i, j), std::min(i, j), value);
@@ -30,10 +30,7 @@ inline void add_pair_block(Triplets& list, int a, int b, const double (&d)[2], d
     }
 }
 
-inline void build(const Triplets& list, int n, SparseMatrix& lower) {
-  lower.resize(n, n);
-  lower.setFromTriplets(list.begin(), list.end());
-}
+inline void build(const Triplets& list, int n, SparseMatrix& lower) { sum_entries(n, list, lower); }
 
 /// sum k_i (x_i - i)^2 / 2 + coupling sum (x_i - x_{i+1} + 1)^2 / 2: the minimum 0 is at x_i = i.
 class StiffChain : public Objective {

@@ -16,35 +16,6 @@ double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
 
 namespace {
 
-/// Sums entries into a matrix: by columns with a counting sort, then each column by rows.
-void sum_entries(int n, const std::vector<MatrixEntry>& entries, SparseMatrix& lower) {
-  std::vector<std::int32_t> begin(static_cast<std::size_t>(n) + 1);
-  for (const MatrixEntry& e : entries) ++begin[e.col() + 1];
-  for (int c = 0; c < n; ++c) begin[c + 1] += begin[c];
-  std::vector<std::pair<std::int32_t, double>> sorted(entries.size());
-  std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
-  for (const MatrixEntry& e : entries) sorted[next[e.col()]++] = {e.row(), e.value()};
-
-  lower.resize(n, n);
-  lower.resizeNonZeros(static_cast<Eigen::Index>(entries.size()));
-  int at = 0;
-  for (int c = 0; c < n; ++c) {
-    lower.outerIndexPtr()[c] = at;
-    std::stable_sort(sorted.begin() + begin[c], sorted.begin() + begin[c + 1],
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::int32_t k = begin[c]; k < begin[c + 1]; ++k) {
-      if (k > begin[c] && sorted[k].first == sorted[k - 1].first) {
-        lower.valuePtr()[at - 1] += sorted[k].second;
-        continue;
-      }
-      lower.innerIndexPtr()[at] = sorted[k].first;
-      lower.valuePtr()[at++] = sorted[k].second;
-    }
-  }
-  lower.outerIndexPtr()[n] = at;
-  lower.resizeNonZeros(at);
-}
-
 double largest_net(const BodyDegrees& degrees, std::span<const double> slope) {
   const auto of_sites = 2 * static_cast<std::size_t>(degrees.site_count());
   double square = largest_square_of_pairs(slope.first(of_sites)), other = 0;

@@ -94,10 +94,10 @@ void CellObjective::assemble(std::span<const double> x, HessianKind kind, Sparse
   SparseMatrix inner;
   if (kind == HessianKind::exact) bodies_.hessian(at_, inner);
   else bodies_.preconditioner(at_, inner);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int c = 0; c < inner.outerSize(); ++c)
-    for (SparseMatrix::InnerIterator it(inner, c); it; ++it)
-      entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()), it.value());
+  std::vector<MatrixEntry> entries;
+  for (int c = 0; c < inner.size; ++c)
+    for (int k = inner.begin[c]; k < inner.begin[c + 1]; ++k)
+      entries.emplace_back(inner.row[k], c, inner.value[k]);
   std::vector<double> moved(x.begin(), x.end()), above(x.size()), below(x.size());
   const double step = 1e-6 * start_.length[0];
   for (int row = bodies_.size(); row < size(); ++row) {
@@ -112,8 +112,7 @@ void CellObjective::assemble(std::span<const double> x, HessianKind kind, Sparse
           row, column,
           (above[static_cast<std::size_t>(column)] - below[static_cast<std::size_t>(column)]) / (2 * step));
   }
-  lower.resize(size(), size());
-  lower.setFromTriplets(entries.begin(), entries.end());
+  sum_entries(size(), entries, lower);
   strain_cell(x);
 }
 

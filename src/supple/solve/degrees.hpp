@@ -6,23 +6,9 @@
 
 #include "supple/model/hessian.hpp"
 #include "supple/model/system.hpp"
+#include "supple/solve/sparse_matrix.hpp"
 
 namespace supple {
-
-/// One entry of a symmetric matrix, row >= column; entries at one place add up. It has the members that
-/// Eigen's setFromTriplets asks for.
-class MatrixEntry {
- public:
-  MatrixEntry(std::int32_t row, std::int32_t column, double value)
-      : row_(row), column_(column), value_(value) {}
-  std::int32_t row() const { return row_; }
-  std::int32_t col() const { return column_; }
-  double value() const { return value_; }
-
- private:
-  std::int32_t row_, column_;
-  double value_;
-};
 
 /// The degrees of freedom of a system as a vector q [length]. First x, y of every free site outside rigid
 /// bodies, in the order of sites; then, for every rigid body that is not held, x, y of its centre and its

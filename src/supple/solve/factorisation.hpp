@@ -1,9 +1,9 @@
 /// Sparse factorisation of a symmetric matrix plus a multiple of the identity.
 #pragma once
-#include <Eigen/SparseCholesky>
+#include <memory>
 #include <span>
 
-#include "supple/solve/objective.hpp"
+#include "supple/solve/sparse_matrix.hpp"
 
 namespace supple {
 
@@ -11,6 +11,9 @@ namespace supple {
 /// the pattern of H changes little.
 class Factorisation {
  public:
+  Factorisation();
+  ~Factorisation();
+
   /// Takes H (lower triangle) and analyses its pattern.
   void set(const SparseMatrix& lower);
   /// Factorises H + shift I. True if it is positive definite. Rows of H may be empty when shift > 0.
@@ -27,13 +30,10 @@ class Factorisation {
   double solve_work() const { return solve_work_; }
 
  private:
-  void order(const SparseMatrix& lower);
+  struct Solver;
   void count_work();
 
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
-  SparseMatrix upper_;  ///< in the order of elimination
-  Eigen::VectorXd work_, pivot_;
+  std::unique_ptr<Solver> solver_;  ///< what Eigen makes of it
   double largest_diagonal_ = 0, factorise_work_ = 0, solve_work_ = 0;
   double work_when_ordered_ = 0;
 };

@@ -14,7 +14,7 @@ constexpr double smallest_shift = 1e-290;  // or doubling would stay at 0
 constexpr int window = 15;  // iterations over which the present rate of convergence is measured
 
 bool is_finite(const SparseMatrix& lower) {
-  return std::all_of(lower.valuePtr(), lower.valuePtr() + lower.nonZeros(),
+  return std::all_of(lower.value.begin(), lower.value.end(),
                      [](double value) { return std::isfinite(value); });
 }
 

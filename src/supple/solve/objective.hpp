@@ -1,14 +1,12 @@
 /// What a minimiser sees: a function of n numbers. Bodies, box and strain are the objective's business.
 #pragma once
-#include <Eigen/SparseCore>
 #include <limits>
 #include <span>
 
+#include "supple/solve/sparse_matrix.hpp"
 #include "supple/solve/sums.hpp"
 
 namespace supple {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;  ///< lower triangle only, column major
 
 /// A function of n numbers with a continuous gradient and, almost everywhere, second derivatives. The numbers
 /// should be of one kind, such as lengths, because the minimisers give all of them unit mass.
@@ -20,7 +18,7 @@ class Objective {
   virtual double evaluate(std::span<const double> x, std::span<double> slope) = 0;
   /// Fills the gradient alone, where that is cheaper; by evaluate() unless overridden.
   virtual void evaluate_slope(std::span<const double> x, std::span<double> slope) { evaluate(x, slope); }
-  /// Second derivatives at x (lower triangle, compressed). The pattern may change from call to call, as
+  /// Second derivatives at x (lower triangle). The pattern may change from call to call, as
   /// contacts come and go; rows may be empty.
   virtual void hessian(std::span<const double> x, SparseMatrix& lower) = 0;
   /// A matrix near the Hessian, in the same form, that is faster to factorise; the Hessian itself unless

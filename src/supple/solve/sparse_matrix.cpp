@@ -1,0 +1,38 @@
+#include "supple/solve/sparse_matrix.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace supple {
+
+/// By columns with a counting sort, then each column by rows.
+void sum_entries(int size, const std::vector<MatrixEntry>& entries, SparseMatrix& lower) {
+  std::vector<std::int32_t> begin(static_cast<std::size_t>(size) + 1);
+  for (const MatrixEntry& e : entries) ++begin[e.col() + 1];
+  for (int c = 0; c < size; ++c) begin[c + 1] += begin[c];
+  std::vector<std::pair<std::int32_t, double>> sorted(entries.size());
+  std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
+  for (const MatrixEntry& e : entries) sorted[next[e.col()]++] = {e.row(), e.value()};
+
+  lower.size = size;
+  lower.begin.assign(static_cast<std::size_t>(size) + 1, 0);
+  lower.row.clear();
+  lower.value.clear();
+  for (int c = 0; c < size; ++c) {
+    lower.begin[c] = static_cast<int>(lower.row.size());
+    std::stable_sort(sorted.begin() + begin[c], sorted.begin() + begin[c + 1],
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::int32_t k = begin[c]; k < begin[c + 1]; ++k) {
+      if (k > begin[c] && sorted[k].first == sorted[k - 1].first) {
+        lower.value.back() += sorted[k].second;
+        continue;
+      }
+      lower.row.push_back(sorted[k].first);
+      lower.value.push_back(sorted[k].second);
+    }
+  }
+  lower.begin[size] = static_cast<int>(lower.row.size());
+}
+
+}  // namespace supple
