@@ -15,6 +15,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "supple/core/error.hpp"
+#include "supple/core/version.hpp"
 #include "supple/experiment/experiments.hpp"
 
 namespace {
@@ -187,7 +188,7 @@ int obey(int argc, char** argv) {
   Options options;
   CLI::App app{about, "supple"};
   app.footer(exit_codes);
-  app.set_version_flag("--version", "supple " SUPPLE_VERSION);
+  app.set_version_flag("--version", std::string("supple ") + supple::version());
   app.require_subcommand(1);
   add_case_commands(app, options);
   add_run_commands(app, options);

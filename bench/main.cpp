@@ -16,6 +16,7 @@
 #include "bench/packings.hpp"
 #include "bench/shells.hpp"
 #include "bench/threads.hpp"
+#include "supple/core/version.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/observe/stress.hpp"
 
@@ -188,7 +189,7 @@ int main(int argc, char** argv) {
   const auto wants = [&](const char* table) {
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), table) != wanted.end();
   };
-  fmt::print("Supple {} on one core of: {}\n", SUPPLE_VERSION, processor_name());
+  fmt::print("Supple {} on one core of: {}\n", supple::version(), processor_name());
   Comparison comparison;
   if (wants("sizes")) print_sizes();
   if (wants("cells")) print_cells();

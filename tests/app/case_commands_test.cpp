@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "supple/core/version.hpp"
 #include "tests/app/command.hpp"
 
 namespace supple {
@@ -19,7 +20,7 @@ TEST_F(CaseCommands, WithoutArgumentsTheHelpIsShown) {
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, HasSubstr("--set"));
   EXPECT_THAT(help.out, HasSubstr("Exit codes"));
-  EXPECT_THAT(supple("--version").out, HasSubstr("supple " SUPPLE_VERSION));
+  EXPECT_THAT(supple("--version").out, HasSubstr(std::string("supple ") + version()));
 }
 
 TEST_F(CaseCommands, UnknownCommandsAndOptionsAreBadInput) {

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <csignal>
 
+#include "supple/core/version.hpp"
 #include "supple/io/run/file_recorder.hpp"
 #include "supple/io/run/run_file.hpp"
 #include "tests/io/same_frame.hpp"
@@ -43,7 +44,7 @@ class RunFileTest : public TemporaryFolder {
 void expect_sample(const RunFile& run, int seen) {
   EXPECT_EQ(run.experiment(), "oscillatory_shear");
   EXPECT_EQ(run.physics(), "documented");
-  EXPECT_EQ(run.version(), SUPPLE_VERSION);
+  EXPECT_EQ(run.version(), version());
   EXPECT_EQ(run.seed(), 77);
   EXPECT_EQ(run.case_text(), "seed = 77 # resolved\n");
   const Case c = run.resolved_case();

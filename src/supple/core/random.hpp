@@ -1,8 +1,7 @@
 /// Counter-based random numbers (Philox 4x32-10, Salmon et al. 2011), keyed by (seed, purpose, index): a draw
 /// does not depend on the number of threads, the order of calls, or how many other things are drawn.
 #pragma once
-#include <Random123/philox.h>
-
+#include <array>
 #include <cstdint>
 
 namespace supple {
@@ -33,9 +32,9 @@ inline std::uint64_t stream_index(std::int32_t high, std::int32_t low) {
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t index = 0)
-      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{0, static_cast<std::uint32_t>(purpose), static_cast<std::uint32_t>(index),
-                  static_cast<std::uint32_t>(index >> 32)}} {}
+      : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+        counter_{0, static_cast<std::uint32_t>(purpose), static_cast<std::uint32_t>(index),
+                 static_cast<std::uint32_t>(index >> 32)} {}
 
   /// Uniform in [0, 1), 53 bits.
   double uniform() {
@@ -52,17 +51,15 @@ class RandomStream {
 
  private:
   std::uint32_t word() {
-    if (used_ == 4) {
-      block_ = philox_(counter_, key_);
-      ++counter_.v[0];
-      used_ = 0;
-    }
-    return block_.v[used_++];
+    if (used_ == block_.size()) fill_block();
+    return block_[used_++];
   }
-  r123::Philox4x32 philox_;
-  r123::Philox4x32::key_type key_;
-  r123::Philox4x32::ctr_type counter_, block_{};
-  int used_ = 4;
+  /// The next four words.
+  void fill_block();
+
+  std::array<std::uint32_t, 2> key_;
+  std::array<std::uint32_t, 4> counter_, block_{};
+  std::size_t used_ = block_.size();
 };
 
 }  // namespace supple

@@ -1,4 +1,5 @@
 #include "supple/io/run/run_layout.hpp"
+#include "supple/core/version.hpp"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,7 @@ std::string segment_name(int index) { return fmt::format("segment-{:06}.h5", ind
 
 void write_header(h5::Group& root, const Case& resolved, const std::string& case_text, const RunInfo& info) {
   root.set("format", std::string(run_format));
-  root.set("supple_version", std::string(SUPPLE_VERSION));
+  root.set("supple_version", std::string(version()));
   root.set("compiler", std::string(__VERSION__));
   root.set("experiment", resolved.general.experiment);
   root.set("physics", resolved.general.physics);
