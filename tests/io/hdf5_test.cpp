@@ -1,4 +1,7 @@
 #include <gmock/gmock.h>
+#include <hdf5.h>
+
+#include <thread>
 
 #include "supple/io/hdf5/hdf5.hpp"
 #include "tests/io/temporary_folder.hpp"
@@ -117,6 +120,27 @@ TEST_F(Hdf5, ErrorsNameFileAndObject) {
   EXPECT_THAT(file_error_of([&] { root.read<double>("missing"); }), HasSubstr("missing"));
   EXPECT_THAT(file_error_of([&] { root.text("format"); }), HasSubstr("format"));
   EXPECT_THAT(file_error_of([&] { save(root, in_folder("no/folder.h5")); }), HasSubstr("cannot create"));
+}
+
+/// HDF5 asks every thread by itself whether it prints, and a program may want it to.
+TEST_F(Hdf5, PrintsNothingInAnyThreadAndLeavesThatToTheProgram) {
+  write_content(in_folder("cut.h5"), "\211HDF\r\n\032\n and no more");
+  H5E_auto2_t before = nullptr, after = nullptr;
+  void *data = nullptr, *data_after = nullptr;
+  ::testing::internal::CaptureStderr();
+  std::thread([&] {
+    H5Eget_auto2(H5E_DEFAULT, &before, &data);
+    EXPECT_THROW(open_file(in_folder("cut.h5")), Error);
+    Group root = create_file("a.h5");
+    EXPECT_THROW(root.open_group("nothing"), Error);
+    EXPECT_THROW(root.number("nothing"), Error);
+    EXPECT_THROW(root.read<double>("nothing"), Error);
+    H5Eget_auto2(H5E_DEFAULT, &after, &data_after);
+  }).join();
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_NE(before, nullptr);
+  EXPECT_EQ(after, before);
+  EXPECT_EQ(data_after, data);
 }
 
 }  // namespace

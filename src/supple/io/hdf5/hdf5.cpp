@@ -9,9 +9,6 @@
 namespace supple::h5 {
 namespace {
 
-/// Before any other call: HDF5 would print its error stack on standard error.
-const bool silent = (H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), true);
-
 template <class T>
 T first_of(const std::vector<T>& values, const std::string& name, const std::string& where) {
   if (values.empty()) throw file_error("attribute " + name + " of " + where + " is empty");
@@ -40,10 +37,13 @@ std::string name_of_member(hid_t group, H5_index_t order, hsize_t k, const std::
 }  // namespace
 
 Object::~Object() {
-  if (id_ >= 0) H5Idec_ref(id_);
+  if (id_ < 0) return;
+  const Quiet quiet;
+  H5Idec_ref(id_);
 }
 
 std::string Object::where() const {
+  const Quiet quiet;
   char file[4096] = "", name[1024] = "";
   H5Fget_name(id_, file, sizeof file);
   H5Iget_name(id_, name, sizeof name);
@@ -51,6 +51,7 @@ std::string Object::where() const {
 }
 
 bool Object::has_attribute(const std::string& name) const {
+  const Quiet quiet;
   return checked(H5Aexists(id_, name.c_str()), "look for attribute " + name + " of", where()) > 0;
 }
 void Object::set(const std::string& name, double value) {
@@ -79,6 +80,7 @@ std::vector<std::string> Object::texts(const std::string& name) const {
 }
 
 bool Group::has(const std::string& name) const {
+  const Quiet quiet;
   for (auto end = name.find('/');; end = name.find('/', end + 1)) {
     const std::string path = name.substr(0, end);
     if (checked(H5Lexists(id(), path.c_str(), H5P_DEFAULT), "look for " + path + " in", where()) == 0)
@@ -88,11 +90,13 @@ bool Group::has(const std::string& name) const {
 }
 
 bool Group::is_group(const std::string& name) const {
+  const Quiet quiet;
   const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where()));
   return H5Iget_type(member.id()) == H5I_GROUP;
 }
 
 std::vector<std::string> Group::names() const {
+  const Quiet quiet;
   // One by one: H5Literate 1.10.8 gathers the members first and frees what it never set where one of a large
   // group cannot be read.
   H5G_info_t info{};
@@ -103,6 +107,7 @@ std::vector<std::string> Group::names() const {
 }
 
 Group Group::create_group(const std::string& name) {
+  const Quiet quiet;
   const Object list(H5Pcreate(H5P_GROUP_CREATE));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   return Group(checked(H5Gcreate2(id(), name.c_str(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
@@ -110,25 +115,33 @@ Group Group::create_group(const std::string& name) {
 }
 
 Group Group::open_group(const std::string& name) const {
+  const Quiet quiet;
   return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", where()));
 }
 
 Object Group::open_dataset(const std::string& name) const {
+  const Quiet quiet;
   return own(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where());
 }
 
 void Group::remove(const std::string& name) {
+  const Quiet quiet;
   checked(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), "remove " + name + " from", where());
 }
 
 void Group::copy(const Group& from, const std::string& name) {
+  const Quiet quiet;
   checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
           "copy " + name + " to", where());
 }
 
-void Group::copy_attributes(const Object& from) { copy_all_attributes(from.id(), id(), from.where()); }
+void Group::copy_attributes(const Object& from) {
+  const Quiet quiet;
+  copy_all_attributes(from.id(), id(), from.where());
+}
 
 Group create_file(const std::string& name) {
+  const Quiet quiet;
   const Object list(H5Pcreate(H5P_FILE_CREATE)), access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_istore_k(list.id(), 8);  // small nodes: most arrays have few pieces
@@ -140,6 +153,7 @@ Group create_file(const std::string& name) {
 }
 
 void save(Group& root, const std::string& path, Existing existing) {
+  const Quiet quiet;
   const Object file(checked(H5Iget_file_id(root.id()), "write", root.where()));
   checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root.where());
   const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root.where());
@@ -151,6 +165,7 @@ void save(Group& root, const std::string& path, Existing existing) {
 }
 
 Group open_file(const std::string& path) {
+  const Quiet quiet;
   check_can_read(path, "the run");
   if (std::filesystem::file_size(path) == 0 && !path.ends_with(".toml"))
     throw file_error(path + " is empty", "it was copied in part, or the disk was full",

@@ -15,6 +15,21 @@ namespace supple::h5 {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
+/// While this lives HDF5 prints nothing: every function of the wrapper begins with one. What prints is a
+/// setting of each thread, and the program around Supple may have made its own.
+class Quiet {
+ public:
+  Quiet();
+  ~Quiet();
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+  bool known_;
+};
+
 /// The file error after a call of HDF5 that failed: "cannot <action> <where>", why, what to do, and at the
 /// end in brackets the most specific message of HDF5.
 Error fault(const std::string& action, const std::string& where);
@@ -93,6 +108,7 @@ std::vector<T> read_values(const Object& object, const Object& file_type, const 
 template <class T>
 void set_attribute(hid_t object, const std::string& name, std::span<const T> values, const Shape& shape,
                    const std::string& where) {
+  const Quiet quiet;
   if (H5Aexists(object, name.c_str()) > 0) H5Adelete(object, name.c_str());
   const Buffer<T> buffer(values);
   const Object space = space_of(shape);
@@ -106,6 +122,7 @@ void set_attribute(hid_t object, const std::string& name, std::span<const T> val
 
 template <class T>
 std::vector<T> get_attribute(hid_t object, const std::string& name, const std::string& where) {
+  const Quiet quiet;
   const std::string what = "read attribute " + name + " of";
   const Object attribute = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), what, where);
   const Object type = own(H5Aget_type(attribute.id()), what, where);

@@ -68,6 +68,7 @@ void select_rows(hid_t space, Shape shape, std::uint64_t first, std::uint64_t co
 
 template <class T>
 Object Group::write(const std::string& name, std::span<const T> values, const Shape& shape) {
+  const Quiet quiet;
   const Buffer<T> buffer(values);
   Object dataset =
       create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape, where());
@@ -79,6 +80,7 @@ Object Group::write(const std::string& name, std::span<const T> values, const Sh
 
 template <class T>
 Object Group::write_scalar(const std::string& name, const T& value) {
+  const Quiet quiet;
   const Buffer<T> buffer(std::span<const T>(&value, 1));
   const Object list(H5Pcreate(H5P_DATASET_CREATE));
   if (H5Tget_size(buffer.type.id()) <= header_bytes) H5Pset_layout(list.id(), H5D_COMPACT);
@@ -92,6 +94,7 @@ Object Group::write_scalar(const std::string& name, const T& value) {
 }
 
 Object Group::create_like(const Group& from, const std::string& name, std::uint64_t rows) {
+  const Quiet quiet;
   const Object source = from.open_dataset(name);
   const Object type(H5Dget_type(source.id()));
   Shape shape = from.shape(name);
@@ -102,6 +105,7 @@ Object Group::create_like(const Group& from, const std::string& name, std::uint6
 }
 
 void Group::write_rows_of(const Group& from, const std::string& name, std::uint64_t first) {
+  const Quiet quiet;
   const Object source = from.open_dataset(name), target = open_dataset(name);
   const Object type(H5Dget_type(source.id()));
   const Shape rows = from.shape(name), all = shape(name);
@@ -120,6 +124,7 @@ void Group::write_rows_of(const Group& from, const std::string& name, std::uint6
 }
 
 Shape Group::shape(const std::string& name) const {
+  const Quiet quiet;
   const Object dataset = open_dataset(name);
   const Object space(H5Dget_space(dataset.id()));
   return shape_of(space.id(), dataset.where());
@@ -127,6 +132,7 @@ Shape Group::shape(const std::string& name) const {
 
 template <class T>
 std::vector<T> Group::read(const std::string& name) const {
+  const Quiet quiet;
   const Object dataset = open_dataset(name);
   const Object type(H5Dget_type(dataset.id())), space(H5Dget_space(dataset.id()));
   const std::string where = dataset.where();
@@ -137,6 +143,7 @@ std::vector<T> Group::read(const std::string& name) const {
 
 template <class T>
 T Group::read_scalar(const std::string& name) const {
+  const Quiet quiet;
   std::vector<T> values = read<T>(name);
   if (values.size() != 1)
     throw file_error("cannot read " + name + " in " + where(), "it is not a single value");
@@ -145,6 +152,7 @@ T Group::read_scalar(const std::string& name) const {
 
 template <class T>
 std::vector<T> Group::read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const {
+  const Quiet quiet;
   const Object dataset = open_dataset(name);
   const Object type(H5Dget_type(dataset.id())), file_space(H5Dget_space(dataset.id()));
   const std::string where = dataset.where();

@@ -52,6 +52,14 @@ Fault fault_of(const std::string& said) {
 
 }  // namespace
 
+Quiet::Quiet() : known_(H5Eget_auto2(H5E_DEFAULT, &print_, &data_) >= 0) {
+  if (known_) H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Quiet::~Quiet() {
+  if (known_) H5Eset_auto2(H5E_DEFAULT, print_, data_);
+}
+
 Error fault(const std::string& action, const std::string& where) {
   const std::string said = reason();
   const Fault f = fault_of(said);
