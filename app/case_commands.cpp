@@ -12,7 +12,6 @@
 #include "supple/core/duration.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
-#include "supple/core/parallel.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/cost.hpp"
@@ -155,7 +154,6 @@ LoadedCase load_case(const CaseChoice& choice) {
     throw Error(e.kind(), fmt::format("{}: {}", origin, e.what()));
   }
   supple::check(c);
-  thread_count() = c.general.threads;
   return {std::move(c), std::move(initial)};
 }
 

@@ -71,10 +71,11 @@ TEST_F(Parallel, TheExceptionOfTheFirstChunkIsThrownAsOneThreadWould) {
   }
 }
 
-TEST_F(Parallel, LoopsWithinLoopsAndFromSeveralThreadsRunInPlace) {
+TEST_F(Parallel, LoopsWithinLoopsRunInPlaceAndThoseOfOtherThreadsHaveTheirOwnHelpers) {
   thread_count() = 2;
   std::atomic<std::int64_t> visits = 0;
   const auto loops = [&] {
+    const WithThreads two(2);
     for (int repeat = 0; repeat < 20; ++repeat)
       for_chunks(5000, [&](std::int64_t, std::int64_t, std::int64_t) {
         for_chunks(2000, [&](std::int64_t, std::int64_t begin, std::int64_t end) { visits += end - begin; });

@@ -73,11 +73,10 @@ TEST_P(BodyShear, EveryChannelTakesPartAndTheBoundaryDoesTheWork) {
 }
 
 TEST_P(BodyShear, RunsRepeatForAnyNumberOfThreads) {
-  const Case c = small_gel(GetParam());
+  Case c = small_gel(GetParam());
   const MemoryRecorder one = result_of(c);
-  thread_count() = 2;
+  c.general.threads = 2;
   const MemoryRecorder two = result_of(c);
-  thread_count() = 1;
   EXPECT_EQ(one.tables.at("stress").rows, two.tables.at("stress").rows);
   EXPECT_EQ(one.last_system.state.position, two.last_system.state.position);
 }

@@ -1,7 +1,6 @@
 /// Same case, same bits: on every run, for one and two threads, and for a run split in two through its file.
 #include <gtest/gtest.h>
 
-#include "supple/core/parallel.hpp"
 #include "supple/experiment/adopt_state.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/suspension.hpp"
@@ -24,11 +23,10 @@ Case short_shear(int discs, const std::string& physics) {
   return c;
 }
 
-MemoryRecorder result_of(const Case& c, int threads = 1, const InitialState* initial = nullptr) {
+MemoryRecorder result_of(Case c, int threads = 1, const InitialState* initial = nullptr) {
   MemoryRecorder recorder;
-  thread_count() = threads;
+  c.general.threads = threads;
   run(c, initial, recorder);
-  thread_count() = 1;
   return recorder;
 }
 

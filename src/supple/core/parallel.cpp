@@ -42,7 +42,7 @@ struct alignas(64) Share {
   std::int64_t end = 0;
 };
 
-/// One loop at a time, and the threads that help with it.
+/// The threads that help one thread with its loops.
 class Pool {
  public:
   ~Pool() {
@@ -52,17 +52,18 @@ class Pool {
   }
 
   void run(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context) {
-    const std::unique_lock lock(busy_, std::try_to_lock);
-    if (!lock) {
+    if (busy_) {
       for (std::int64_t c = 0; c < chunks; ++c) work(context, c);
       return;
     }
     prepare(chunks, threads, work, context);
+    busy_ = true;
     open_ = true;
     announce();
     take_part(0);
     open_ = false;
     for (int inside; (inside = inside_.load(std::memory_order_acquire)) != 0;) wait_while(inside_, inside);
+    busy_ = false;
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
@@ -129,7 +130,8 @@ class Pool {
     }
   }
 
-  std::mutex busy_, failing_;
+  bool busy_ = false;  ///< of the thread that this helps, which alone asks
+  std::mutex failing_;
   std::atomic<int> epoch_{0}, inside_{0};
   std::atomic<bool> open_{false}, closing_{false};
   std::unique_ptr<Share[]> shares_;
@@ -144,7 +146,7 @@ class Pool {
 }  // namespace
 
 void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context) {
-  static Pool pool;
+  static thread_local Pool pool;
   pool.run(chunks, threads, work, context);
 }
 

@@ -6,11 +6,24 @@
 
 namespace supple {
 
-/// Number of threads for the loops below; with 1 (the default) they run in the calling thread.
+/// Number of threads for the loops that the calling thread runs; with 1 (the default) they run in it alone.
+/// Every thread of a program has its own number, so that two may run experiments side by side.
 inline int& thread_count() {
-  static int count = 1;
+  static thread_local int count = 1;
   return count;
 }
+
+/// The calling thread has this many threads while this lives.
+class WithThreads {
+ public:
+  explicit WithThreads(int count) : before_(thread_count()) { thread_count() = count; }
+  ~WithThreads() { thread_count() = before_; }
+  WithThreads(const WithThreads&) = delete;
+  WithThreads& operator=(const WithThreads&) = delete;
+
+ private:
+  int before_;
+};
 
 /// Items in a chunk, and chunks of n items.
 inline constexpr std::int64_t chunk_size = 256;
@@ -24,8 +37,8 @@ inline bool runs_in_place(std::int64_t n) {
 /// Calls work(context, chunk) for each chunk of [0, chunks), shared with up to `threads` - 1 helper threads
 /// that sleep between loops (docs/decisions/0013). The caller takes every chunk that no helper has begun, so
 /// it never waits for a thread that the system has not let run. If chunks throw, the exception of the first
-/// of them is thrown on after all chunks are done. A call from within a chunk, or while another thread runs
-/// such a loop, runs in place.
+/// of them is thrown on after all chunks are done. A call from within a chunk runs in place. The helpers
+/// belong to the calling thread and end with it.
 void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context);
 
 /// body(chunk, begin, end) for each chunk of [0, n).

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/core/parallel.hpp"
 #include "supple/experiment/adopt_state.hpp"
 
 namespace supple {
@@ -57,6 +58,7 @@ const Experiment& experiment_of(const Case& c) {
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
+  const WithThreads threads(adopted.general.threads);
   std::vector<Derived> all = experiment_of(adopted).derive(adopted, initial);
   for (const Derived& d : all)
     if (!std::isfinite(d.value))
@@ -68,6 +70,7 @@ std::vector<Derived> derive(const Case& c, const InitialState* initial) {
 void run(const Case& c, const InitialState* initial, Recorder& recorder) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
+  const WithThreads threads(adopted.general.threads);
   experiment_of(adopted).run(adopted, initial, recorder);
 }
 

@@ -69,8 +69,8 @@ void check(const Case& c, const InitialState* initial);
 /// step.
 std::vector<Derived> derive(const Case& c, const InitialState* initial);
 
-/// Runs the case's experiment. Throws input errors before anything is computed; numerics errors and
-/// `interrupted` after the recorder was given the state.
+/// Runs the case's experiment, on general.threads threads, the calling one among them. Throws input errors
+/// before anything is computed; numerics errors and `interrupted` after the recorder was given the state.
 void run(const Case& c, const InitialState* initial, Recorder& recorder);
 
 // The rows of experiments(), each in the file of its name.
