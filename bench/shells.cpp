@@ -162,7 +162,7 @@ void print_shell_sizes() {
   for (const auto& [tile, times] :
        {std::pair{&five, 1}, {&fifty, 1}, {&fifty, 3}, {&fifty, 10}, {&fifty, 32}}) {
     System<2> system = tiled(tile->system, times);
-    ForceField field(std::make_shared<RoughContacts>(tile->field->bodies()->laws()));
+    ForceField field(RoughContacts{tile->field->bodies()->laws()});
     field.terms().add(std::make_shared<PolygonShape>());
     Evaluation<2> out;
     const double start = cpu_seconds();

@@ -44,7 +44,7 @@ TEST(AdhesiveLaw, FieldOfPolygonsHoldsWhatEveryFieldMust) {
       std::shared_ptr<BodyContacts> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(law);
       else contacts = std::make_shared<RoughContacts>(law);
-      ForceField field = polygon_field(contacts);
+      ForceField field = polygon_field(*contacts);
       FieldCheck(field, system).run();
       int pulling = 0;
       for (const BodyTouch& t : sum_touches(system, contacts->records(system), law))
@@ -59,7 +59,7 @@ TEST(AdhesiveLaw, FastLoopsEqualTheirRecords) {
     std::shared_ptr<BodyContacts> contacts;
     if (smooth) contacts = std::make_shared<SmoothContacts>(sticky());
     else contacts = std::make_shared<RoughContacts>(sticky());
-    ForceField field(contacts);
+    ForceField field(*contacts);
     Evaluation<2> fast, slow;
     field.evaluate(system, Detail::energies, fast);
     slow.force.resize(fast.force.size());
@@ -106,7 +106,7 @@ std::vector<Pair> all_pairs() {
   };
   const auto body_field = []<class Contacts>(std::type_identity<Contacts>) {
     // No skin: the list reaches out to the range by itself.
-    return [] { return ForceField(std::make_shared<Contacts>(sticky()), 1e-9); };
+    return [] { return ForceField(Contacts(sticky()), 1e-9); };
   };
   return {{"discs",
            [] {
@@ -186,7 +186,7 @@ TEST(AdhesiveLaw, TouchesThatPullDoNotRub) {
   t.contacts = std::make_shared<SmoothContacts>(sticky(100));
   for (const double v : {0.5, -0.5}) {
     t.system.state.velocity.back() = {2, v};  // away from the edge where v < 0
-    ForceField bare(t.contacts), field = t.field({.friction = 0.5, .k_t = 40, .eta = 3, .eta_t = 2});
+    ForceField bare(*t.contacts), field = t.field({.friction = 0.5, .k_t = 40, .eta = 3, .eta_t = 2});
     Evaluation<2> without, with;
     bare.evaluate(t.system, Detail::energies, without);
     field.evaluate(t.system, Detail::energies, with);

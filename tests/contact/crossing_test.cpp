@@ -44,14 +44,14 @@ std::vector<Pair> all_pairs() {
     };
     pairs.push_back({smooth ? "vertex on boundary" : "vertex on vertex", s, [contacts] {
                        const auto c = contacts();
-                       ForceField field(c);
-                       field.add(std::make_shared<TouchFriction>(c, law));
+                       ForceField field(*c);
+                       field.add(TouchFriction(law));
                        return field;
                      }});
     s.links = {{3, 12, {}, 1, 0}, {4, 13, {}, 2, 0}};
     pairs.push_back({smooth ? "links, smooth" : "links, rough", s, [contacts] {
-                       ForceField field(contacts());
-                       field.add(std::make_shared<LinkForces>(LinkLaw{30, 1, 20, 1}));
+                       ForceField field(*contacts());
+                       field.add(LinkForces(LinkLaw{30, 1, 20, 1}));
                        return field;
                      }});
   }

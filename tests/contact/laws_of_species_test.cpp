@@ -62,7 +62,7 @@ TEST(LawsOfSpecies, FieldHoldsWhatEveryFieldMust) {
     for (const std::uint64_t seed : {1, 2}) {
       SCOPED_TRACE(seed);
       System<2> system = mixture(seed);
-      ForceField field = polygon_field(contacts_of(smooth, unlike(seed == 2)));
+      ForceField field = polygon_field(*contacts_of(smooth, unlike(seed == 2)));
       FieldCheck(field, system).run();
     }
 }
@@ -71,7 +71,7 @@ TEST(LawsOfSpecies, FastLoopsEqualTheirRecords) {
   for (const bool smooth : {false, true}) {
     System<2> system = mixture(3, 30);
     const auto contacts = contacts_of(smooth, unlike());
-    ForceField field(contacts);
+    ForceField field(*contacts);
     Evaluation<2> fast, slow;
     field.evaluate(system, Detail::energies, fast);
     slow.force.resize(fast.force.size());
@@ -99,8 +99,8 @@ TEST(LawsOfSpecies, EqualLawsGiveTheBitsOfOneLaw) {
     ContactLaws same = Harmonic{2};
     for (int a = 0; a < 3; ++a) same.set(a, 2, Harmonic{2});
     Evaluation<2> one, each;
-    ForceField(contacts_of(smooth, Harmonic{2})).evaluate(system, Detail::energies, one);
-    ForceField(contacts_of(smooth, same)).evaluate(system, Detail::energies, each);
+    ForceField(*contacts_of(smooth, Harmonic{2})).evaluate(system, Detail::energies, one);
+    ForceField(*contacts_of(smooth, same)).evaluate(system, Detail::energies, each);
     EXPECT_EQ(one.force, each.force);
     EXPECT_EQ(one.energy.elastic, each.energy.elastic);
     for (int i = 0; i < 4; ++i) EXPECT_EQ(one.virial[i / 2][i % 2], each.virial[i / 2][i % 2]);
@@ -109,8 +109,8 @@ TEST(LawsOfSpecies, EqualLawsGiveTheBitsOfOneLaw) {
     turned.set(1, 0, {Harmonic{3}, Adhesive(0.35)});
     turned.set(1, 1, Harmonic{0.7});
     turned.set(0, 2, {Harmonic{1.3}, Hertz()});
-    ForceField(contacts_of(smooth, unlike())).evaluate(system, Detail::energies, one);
-    ForceField(contacts_of(smooth, turned)).evaluate(system, Detail::energies, each);
+    ForceField(*contacts_of(smooth, unlike())).evaluate(system, Detail::energies, one);
+    ForceField(*contacts_of(smooth, turned)).evaluate(system, Detail::energies, each);
     EXPECT_EQ(one.force, each.force);
   }
 }
@@ -120,9 +120,9 @@ TEST(LawsOfSpecies, GiveTheSameBitsForOneAndTwoThreads) {
   const int before = thread_count();
   Evaluation<2> one, two;
   thread_count() = 1;
-  ForceField(contacts_of(false, unlike())).evaluate(system, Detail::energies, one);
+  ForceField(*contacts_of(false, unlike())).evaluate(system, Detail::energies, one);
   thread_count() = 2;
-  ForceField(contacts_of(false, unlike())).evaluate(system, Detail::energies, two);
+  ForceField(*contacts_of(false, unlike())).evaluate(system, Detail::energies, two);
   thread_count() = before;
   EXPECT_EQ(one.force, two.force);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(one.virial[i / 2][i % 2], two.virial[i / 2][i % 2]);
@@ -147,7 +147,7 @@ TEST(LawsOfSpecies, TwoUnlikeParticlesAreThoseOfTheClosedForm) {
             else add_disc_body(system, {10.2, 5}, 0.5);
             add_disc_body(system, {10.2, 5 - at}, 0.5);
             system.species = {a, b};
-            ForceField field(contacts_of(smooth, laws), 1e-9);
+            ForceField field(*contacts_of(smooth, laws), 1e-9);
             Evaluation<2> out;
             field.evaluate(system, Detail::energies, out);
             const bool sticky = a + b == 1;
@@ -175,8 +175,8 @@ TEST(LawsOfSpecies, FrictionIsThatOfThePair) {
       System<2> system = t.system;
       system.species = std::move(species);
       system.lag = 0.01;
-      ForceField field(t.contacts);
-      field.add(std::make_shared<TouchFriction>(t.contacts, law));
+      ForceField field(*t.contacts);
+      field.add(TouchFriction(law));
       Evaluation<2> out;
       field.evaluate(system, Detail::energies, out);
       return out;
@@ -205,8 +205,8 @@ TEST(LawsOfSpecies, ContactThatOpensLosesTheSpringOfThePair) {
     system.species = species;
     system.touches.rows = {{{1, 0, TouchOn::site, {}}, ContactState::stick, 0.2}};
     system.lag = 0.5;
-    ForceField field(contacts);
-    field.add(std::make_shared<TouchFriction>(contacts, laws));
+    ForceField field(*contacts);
+    field.add(TouchFriction(laws));
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
     EXPECT_NEAR(out.energy.sliding_power, 0.5 * k_t * 0.04 / 0.5, 1e-13);
@@ -227,8 +227,8 @@ TEST(LawsOfSpecies, EnergyOfUnlikeParticlesThatRubGoesWhereTheBooksSay) {
       system.state.velocity[i] = {-0.6, 0.8};
     LawTable<TouchLaw> rub = TouchLaw{5, 900, 0, 0};
     rub.set(1, 0, {0.3, 50, 0.3, 0.2});
-    ForceField field(t.contacts);
-    field.add(std::make_shared<TouchFriction>(t.contacts, rub));
+    ForceField field(*t.contacts);
+    field.add(TouchFriction(rub));
     const EnergyCheck coarse = check_energy(system, field, 4e-4, 0.6),
                       fine = check_energy(system, field, 5e-5, 0.6);
     EXPECT_GT(fine.lost, 0.005);
@@ -248,8 +248,8 @@ TEST(LawsOfSpecies, LinkIsThatOfThePair) {
   for (const auto& [species, k] :
        {std::pair{std::vector{0, 1}, 7.}, {{1, 0}, 7.}, {{0, 0}, 100.}, {{1, 1}, 100.}}) {
     system.species = species;
-    ForceField field(std::make_shared<RoughContacts>(Harmonic{1}));
-    field.add(std::make_shared<LinkForces>(laws));
+    ForceField field(RoughContacts(Harmonic{1}));
+    field.add(LinkForces(laws));
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
     EXPECT_NEAR(out.force[0][0], k * 0.2, 1e-12);
@@ -264,10 +264,10 @@ TEST(LawsOfSpecies, StiffestPairBoundsTheStep) {
   add_disc_body(system, {5, 5}, 0.5);
   add_disc_body(system, {15, 5}, 0.5);
   system.species = {0, 1};
-  ForceField soft(std::make_shared<RoughContacts>(Harmonic{1}));
+  ForceField soft(RoughContacts(Harmonic{1}));
   ContactLaws laws = Harmonic{1};
   laws.set(0, 1, Harmonic{400});
-  ForceField stiff(std::make_shared<RoughContacts>(laws));
+  ForceField stiff(RoughContacts{laws});
   EXPECT_NEAR(frequency_bound(system, stiff), 20 * frequency_bound(system, soft), 1e-9);
 }
 

@@ -24,7 +24,8 @@ Evaluation<2> links_alone(const System<2>& system, const LinkLaw& law) {
   Evaluation<2> out;
   out.force.resize(static_cast<std::size_t>(system.state.size()));
   out.torque.resize(out.force.size());
-  LinkForces(law).evaluate(system, system.lag, Detail::energies, out);
+  RoughContacts contacts(Harmonic{1});
+  LinkForces(law).evaluate(system, contacts, system.lag, Detail::energies, out);
   return out;
 }
 
@@ -62,8 +63,8 @@ TEST(LinkForces, RigidTurnWindsUpNothing) {
   for (Touching& t : all_touchings()) {
     SCOPED_TRACE(t.name);
     link_nearest(t.system);
-    ForceField field(t.contacts);
-    field.add(std::make_shared<LinkForces>(LinkLaw{100, 3, 40, 2}));
+    ForceField field(*t.contacts);
+    field.add(LinkForces(LinkLaw{100, 3, 40, 2}));
     Evaluation<2> out;
     const int steps = 500;
     for (int k = 0; k < steps; ++k) {
@@ -109,8 +110,8 @@ TEST(LinkForces, PeriodAndDampingOfALinkedPair) {
   add_disc_body(system, {9.9, 10}, 0.5);
   system.links = {{0, 1, {}, 0.8, 0}};
   const double k = 100, g = 1, w = std::sqrt(2 * k - g * g), dt = 2e-5;
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1e4}));  // which must not act
-  field.add(std::make_shared<LinkForces>(LinkLaw{.k = k, .eta = g}));
+  ForceField field(RoughContacts(Harmonic{1e4}));  // which must not act
+  field.add(LinkForces(LinkLaw{.k = k, .eta = g}));
   Evaluation<2> out;
   State<2>& s = system.state;
   std::vector<double> maxima, times;
@@ -138,8 +139,8 @@ TEST(LinkForces, EnergyOfALinkedPairGoesIntoDashpotsAlone) {
   link_nearest(t.system);
   stir(t.system, 5);
   t.system.shape.stiffness[0] = {1, 50, 1, 0};
-  ForceField field = polygon_field(t.contacts);
-  field.add(std::make_shared<LinkForces>(LinkLaw{80, 0.5, 40, 0.3}));
+  ForceField field = polygon_field(*t.contacts);
+  field.add(LinkForces(LinkLaw{80, 0.5, 40, 0.3}));
   const EnergyCheck coarse = check_energy(t.system, field, 1e-3, 1),
                     fine = check_energy(t.system, field, 2.5e-4, 1);
   EXPECT_GT(fine.lost, 0.05);
@@ -157,7 +158,7 @@ TEST(LinkForces, LinkedPairsHaveNoOtherContact) {
     System<2> system = random_polygons({.bodies = 9, .seed = 3, .spacing = 2.0});
     add_disc_body(system, {1.3, 1.4}, 0.5);
     add_disc_body(system, {1.9, 1.5}, 0.4);
-    ForceField field = polygon_field(contacts);
+    ForceField field = polygon_field(*contacts);
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
     const auto body = bodies_of_sites(system.topology, system.state.size());

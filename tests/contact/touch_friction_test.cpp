@@ -15,14 +15,14 @@ const TouchLaw free_law{.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2, .pull 
 
 /// Forces of friction alone: with the contacts less without.
 Evaluation<2> friction_alone(const Touching& t, System<2>& system, const TouchLaw& law) {
-  ForceField field(t.contacts);
+  ForceField field(*t.contacts);
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   std::fill(out.force.begin(), out.force.end(), Vec2{});
   out.torque.assign(out.force.size(), 0);
   out.energy = {};
   out.virial = {};
-  TouchFriction(t.contacts, law).evaluate(system, system.lag, Detail::energies, out);
+  TouchFriction(law).evaluate(system, *t.contacts, system.lag, Detail::energies, out);
   return out;
 }
 
@@ -146,8 +146,8 @@ TEST(TouchFriction, WithoutFrictionAndViscosityForcesKeepTheirBits) {
   stir(system, 1);
   system.lag = 0.01;
   const auto contacts = std::make_shared<SmoothContacts>(Harmonic{2});
-  ForceField plain = polygon_field(contacts), rubbing = polygon_field(contacts);
-  rubbing.add(std::make_shared<TouchFriction>(contacts, TouchLaw{.k_t = 1}));
+  ForceField plain = polygon_field(*contacts), rubbing = polygon_field(*contacts);
+  rubbing.add(TouchFriction(TouchLaw{.k_t = 1}));
   Evaluation<2> a, b;
   plain.evaluate(system, Detail::energies, a);
   rubbing.evaluate(system, Detail::energies, b);
@@ -196,8 +196,8 @@ TEST(TouchFriction, ForcesDoNotDependOnTheImagesThatDescribeTheState) {
       std::shared_ptr<BodyContacts> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{50});
       else contacts = std::make_shared<RoughContacts>(Harmonic{50});
-      ForceField field(contacts);
-      field.add(std::make_shared<TouchFriction>(contacts, law));
+      ForceField field(*contacts);
+      field.add(TouchFriction(law));
       for (int step = 0; step < 2; ++step) {  // the second one has what the first has wound up
         s->lag = 0.01;
         field.evaluate(*s, Detail::energies, out[k]);
@@ -239,9 +239,9 @@ TEST(TouchFriction, CrossingTheShearedBoundaryTearsNothingAndForgetsNothing) {
       std::shared_ptr<BodyContacts> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
       else contacts = std::make_shared<RoughContacts>(Harmonic{5});
-      ForceField field = polygon_field(contacts);
-      field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{0.4, 3, 0.5, 0.3}));
-      field.add(std::make_shared<LinkForces>(LinkLaw{3, 0.2, 2, 0.1}));
+      ForceField field = polygon_field(*contacts);
+      field.add(TouchFriction(TouchLaw{0.4, 3, 0.5, 0.3}));
+      field.add(LinkForces(LinkLaw{3, 0.2, 2, 0.1}));
       Evaluation<2> out;
       State<2>& s = system.state;
       const double dt = 0.01;

@@ -55,8 +55,8 @@ TEST(TouchLaw, BounceHasTheRestitutionOfALinearDashpot) {
     system.state.velocity = {{0.05, 0}, {-0.05, 0}};
     const double k = 100, g = 3, w0 = std::sqrt(2 * k), w = std::sqrt(w0 * w0 - g * g), dt = 2e-5;
     const auto contacts = std::make_shared<RoughContacts>(Harmonic{k});
-    ForceField field(contacts);
-    field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{.eta = g, .pull = pull}));
+    ForceField field(*contacts);
+    field.add(TouchFriction(TouchLaw{.eta = g, .pull = pull}));
     Evaluation<2> out;
     State<2>& s = system.state;
     for (int step = 0; step < 20000; ++step) {
@@ -82,14 +82,14 @@ TEST(TouchLaw, EnergyOfParticlesThatRubGoesWhereTheBooksSay) {
     System<2>& system = t.system;
     for (int i = 0; i < system.state.size(); ++i)
       system.state.velocity[i] = i < 12 ? Vec2{0.5, 0.6} : Vec2{-0.5, -0.6};
-    ForceField field = polygon_field(t.contacts);
+    ForceField field = polygon_field(*t.contacts);
     for (ShapeStiffness& k : system.shape.stiffness) k = {1, 50, 0, 0};
     for (std::size_t k = 0; k < system.topology.facet.size(); ++k) {
       const auto [a, b] = system.topology.facet[k];
       system.shape.rest_facet[k] = norm(system.state.position[b] - system.state.position[a]);
     }
     system.shape.rest_volume = {12, 2.5};
-    field.add(std::make_shared<TouchFriction>(t.contacts, TouchLaw{0.3, 50, 0.3, 0.2}));
+    field.add(TouchFriction(TouchLaw{0.3, 50, 0.3, 0.2}));
     const EnergyCheck coarse = check_energy(system, field, 1e-3, 3),
                       fine = check_energy(system, field, 2.5e-4, 3);
     EXPECT_GT(fine.lost, 0.1);
@@ -122,9 +122,8 @@ TEST(TouchLaw, BodiesOfOneSiteHaveTheLawOfDiscs) {
       std::shared_ptr<BodyContacts> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{100});
       else contacts = std::make_shared<RoughContacts>(Harmonic{100});
-      ForceField field(contacts);
-      field.add(std::make_shared<TouchFriction>(contacts,
-                                                TouchLaw{mu, 40, 3, 2, Slip::clamp, ViscousPull::allowed}));
+      ForceField field(*contacts);
+      field.add(TouchFriction(TouchLaw{mu, 40, 3, 2, Slip::clamp, ViscousPull::allowed}));
       System<2> a = discs, b = bodies;
       Evaluation<2> expected, out;
       for (System<2>* s : {&a, &b}) s->lag = 1e-9;  // moves nothing, but winds springs up
@@ -173,8 +172,8 @@ TEST(TouchLaw, ManySidedPolygonHasTheLawOfADisc) {
     for (int i = 0; i < n; ++i) system.state.velocity[i] = velocity + cross(spin, ring[i] - Vec2{50, 50});
     system.state.spin[n] = spin_of_disc;
     const auto contacts = std::make_shared<SmoothContacts>(Harmonic{100});
-    ForceField field(contacts);
-    field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{.friction = 1e9, .eta_t = eta}));
+    ForceField field(*contacts);
+    field.add(TouchFriction(TouchLaw{.friction = 1e9, .eta_t = eta}));
     Evaluation<2> out;
     field.evaluate(system, Detail::forces, out);
     double torque = 0;

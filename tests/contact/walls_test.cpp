@@ -11,7 +11,7 @@ TEST(Walls, ForceFieldHoldsWhatEveryFieldMust) {
   System<2> system = testing::random_polygons();
   system.box.strain = 0;
   system.box.periodic = {false, false};
-  ForceField field = testing::polygon_field(std::make_shared<RoughContacts>(Harmonic{2}));
+  ForceField field = testing::polygon_field(RoughContacts(Harmonic{2}));
   field.set_walls({{4, false}});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
@@ -31,7 +31,7 @@ TEST(Walls, PushBackWhatTouchesAndStandOnlyWhereAsked) {
   add_disc_body(system, {9.8, 5}, 0.5);
   add_disc_body(system, {5, -0.1}, 0.5);
   WallLaw walls{{4, false}};
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1}));
+  ForceField field(RoughContacts(Harmonic{1}));
   field.set_walls(walls);
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
@@ -50,7 +50,7 @@ TEST(Floor, SticksUpToCoulombAndIsDraggedBeyond) {
   system.box.length = {10, 10};
   system.box.periodic = {false, false};
   add_disc_body(system, {5, 0.4}, 0.5);
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1}));
+  ForceField field(RoughContacts(Harmonic{1}));
   field.set_walls({{4, false}, 0.5, 0.5});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);

@@ -23,7 +23,7 @@ namespace supple {
 namespace {
 
 ForceField field_of_terms() {
-  ForceField field(std::make_shared<RoughContacts>(Harmonic{1, true}));
+  ForceField field(RoughContacts(Harmonic{1, true}));
   field.terms().add(std::make_shared<BodyTermSet<2>>());
   return field;
 }

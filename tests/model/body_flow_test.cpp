@@ -98,8 +98,8 @@ class Crossing : public ::testing::TestWithParam<bool> {
  protected:
   ForceField field() const {
     const Harmonic law{1, true};
-    if (GetParam()) return polygon_field(std::make_shared<SmoothContacts>(law));
-    return polygon_field(std::make_shared<RoughContacts>(law));
+    if (GetParam()) return polygon_field(SmoothContacts(law));
+    return polygon_field(RoughContacts(law));
   }
 };
 

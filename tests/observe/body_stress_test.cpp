@@ -51,7 +51,7 @@ struct Evaluated {
 };
 
 Evaluated evaluate(System<2>& system, const Harmonic& law, const WallLaw* walls = nullptr) {
-  ForceField field = polygon_field(std::make_shared<RoughContacts>(law));
+  ForceField field = polygon_field(RoughContacts(law));
   if (walls) field.set_walls(*walls);
   Evaluated out;
   field.evaluate(system, Detail::energies, out.evaluation);

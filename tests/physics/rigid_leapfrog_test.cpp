@@ -53,7 +53,7 @@ TEST(RigidLeapfrog, RigidTurnOfATouchingOrLinkedPairWindsUpNothing) {
       ForceField field = t.field({.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2});
       if (linked) {
         system.links = {{0, system.topology.begin[1], {}, 1, 0}};
-        field.add(std::make_shared<LinkForces>(LinkLaw{100, 3, 40, 2}));
+        field.add(LinkForces(LinkLaw{100, 3, 40, 2}));
       }
       Evaluation<2> out;
       const int steps = 40;
@@ -107,9 +107,9 @@ Mover rubbing(bool smooth) {
   std::shared_ptr<BodyContacts> contacts;
   if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
   else contacts = std::make_shared<RoughContacts>(Harmonic{5});
-  ForceField field = polygon_field(contacts);
-  field.add(std::make_shared<TouchFriction>(contacts, TouchLaw{0.4, 3, 0.5, 0.3}));
-  field.add(std::make_shared<LinkForces>(LinkLaw{3, 0.2, 2, 0.1}));
+  ForceField field = polygon_field(*contacts);
+  field.add(TouchFriction(TouchLaw{0.4, 3, 0.5, 0.3}));
+  field.add(LinkForces(LinkLaw{3, 0.2, 2, 0.1}));
   return Mover(std::move(field));
 }
 

@@ -68,8 +68,8 @@ class Rolling {
  private:
   static ForceField field(const TouchLaw& law) {
     const auto contacts = std::make_shared<SmoothContacts>(Harmonic{stiffness});
-    ForceField f = polygon_field(contacts);
-    f.add(std::make_shared<TouchFriction>(contacts, law));
+    ForceField f = polygon_field(*contacts);
+    f.add(TouchFriction(law));
     return f;
   }
 

@@ -15,7 +15,7 @@ using testing::random_polygons;
 /// A force field, numbers, and what must hold between them.
 struct Check {
   System<2> system;
-  ForceField field = polygon_field(std::make_shared<RoughContacts>(Harmonic{3}));
+  ForceField field = polygon_field(RoughContacts(Harmonic{3}));
   Evaluation<2> out = {};
 
   double energy(const BodyDegrees& degrees, const std::vector<double>& q) {

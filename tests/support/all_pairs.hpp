@@ -9,7 +9,7 @@ void fill_all_pairs(System<Dim>& system, int history_width = 1) {
   PairTable& pairs = system.pairs;
   pairs.clear();
   pairs.width = history_width;
-  ++pairs.version;
+  pairs.version = new_version();
   const int n = system.state.size();
   for (int i = 0; i < n; ++i) {
     pairs.begin.push_back(pairs.size());

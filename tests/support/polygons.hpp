@@ -41,8 +41,8 @@ inline System<2> random_polygons(const PackingDraw& draw = {}) {
 }
 
 /// The force field of such a packing.
-inline ForceField polygon_field(std::shared_ptr<BodyContacts> contacts) {
-  ForceField field(std::move(contacts));
+inline ForceField polygon_field(const BodyContacts& contacts) {
+  ForceField field(contacts);
   field.terms().add(std::make_shared<PolygonShape>());
   return field;
 }

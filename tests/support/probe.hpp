@@ -23,7 +23,7 @@ inline void add_body(System<2>& system, const std::vector<Vec2>& vertices, doubl
 class Probe {
  public:
   Probe(const std::vector<Vec2>& vertices, double sigma, Harmonic law = {1, false})
-      : ring_(vertices), contacts_(std::make_shared<SmoothContacts>(law)), field_(contacts_) {
+      : ring_(vertices), field_(SmoothContacts(law)) {
     system_.box.length = {100, 100};
     system_.box.periodic = {false, false};
     for (Vec2& x : ring_) x += Vec2{50, 50};
@@ -48,12 +48,11 @@ class Probe {
     return least;
   }
   bool inside(const Vec2& p) const { return is_inside(p + Vec2{50, 50}, ring_); }
-  SmoothContacts& contacts() { return *contacts_; }
+  BodyContacts& contacts() { return *field_.bodies(); }
   System<2>& system() { return system_; }
 
  private:
   std::vector<Vec2> ring_;
-  std::shared_ptr<SmoothContacts> contacts_;
   System<2> system_;
   ForceField field_;
   Evaluation<2> out_;

@@ -22,8 +22,8 @@ struct Touching {
 
   /// A force field of their contacts, with friction.
   ForceField field(const TouchLaw& law) const {
-    ForceField f(contacts);
-    f.add(std::make_shared<TouchFriction>(contacts, law));
+    ForceField f(*contacts);
+    f.add(TouchFriction(law));
     return f;
   }
 };

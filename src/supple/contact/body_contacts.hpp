@@ -1,5 +1,6 @@
 /// Conservative contacts between bodies of many sites: the interface of every kind of boundary.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "supple/contact/laws/table.hpp"
@@ -30,6 +31,7 @@ class BodyContacts {
  public:
   explicit BodyContacts(const ContactLaws& laws) : laws_(laws), range_(widest_range(laws)) {}
   virtual ~BodyContacts() = default;
+  virtual std::unique_ptr<BodyContacts> clone() const = 0;
 
   const ContactLaws& laws() const { return laws_; }
   /// Replaces the laws by others of the same ranges, which the neighbour list relies on.

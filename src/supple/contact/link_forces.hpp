@@ -17,7 +17,9 @@ class LinkForces final : public Interaction {
 
   const LawTable<LinkLaw>& laws() const { return laws_; }
   LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
-  void evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) override;
+  std::unique_ptr<Interaction> clone() const override { return std::make_unique<LinkForces>(*this); }
+  void evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
+                Evaluation<2>& out) override;
   void commit(System<2>& system, Evaluation<2>& evaluation) override;
 
  private:

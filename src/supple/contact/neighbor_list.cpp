@@ -155,7 +155,7 @@ void NeighborList<Dim>::build(System<Dim>& system) {
   PairTable& pairs = system.pairs;
   std::swap(pairs, old_);
   pairs.width = old_.width;
-  pairs.version = version_ = std::max(old_.version, version_) + 1;
+  pairs.version = version_ = new_version();
   pairs.skin = skin_;
   pairs.reach = reach_;
   pairs.begin.assign(static_cast<std::size_t>(n) + 1, 0);

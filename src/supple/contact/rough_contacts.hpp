@@ -13,6 +13,7 @@ namespace supple {
 class RoughContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
+  std::unique_ptr<BodyContacts> clone() const override { return std::make_unique<RoughContacts>(*this); }
   Meeting meeting() const override { return Meeting::sites; }
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;
   std::vector<ContactRecord<2>> records(const System<2>& system) override;

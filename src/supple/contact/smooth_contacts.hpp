@@ -27,6 +27,7 @@ namespace supple {
 class SmoothContacts final : public BodyContacts {
  public:
   using BodyContacts::BodyContacts;
+  std::unique_ptr<BodyContacts> clone() const override { return std::make_unique<SmoothContacts>(*this); }
   Meeting meeting() const override { return Meeting::facets; }
   double scale(const Ring& of_site) const override { return edge_scale(of_site); }
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;

@@ -61,46 +61,46 @@ void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRec
 
 }  // namespace
 
-TouchKey TouchFriction::key_of(const ContactRecord<2>& record) const {
+TouchKey TouchFriction::key_of(const ContactRecord<2>& record, Meeting meeting) const {
   const int own = record.weight[0] > 0 ? 0 : 1;
   const std::int32_t other = record.site[1 - own];
   const Vec2 cells{static_cast<double>(record.cells[0]), static_cast<double>(record.cells[1])};
-  if (contacts_->meeting() == Meeting::facets)
-    return touch_key(record.site[own], TouchOn::body, body_[other], cells);
+  if (meeting == Meeting::facets) return touch_key(record.site[own], TouchOn::body, body_[other], cells);
   return touch_key(record.site[own], TouchOn::site, other, cells);
 }
 
-void TouchFriction::evaluate(const System<2>& system, double dt, Detail detail, Evaluation<2>& out) {
+void TouchFriction::evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
+                             Evaluation<2>& out) {
   body_ = bodies_of_sites(system.topology, system.state.size());
-  records_ = contacts_->records(system);
+  records_ = contacts.records(system);
   out.trial_touch.clear();
   out.touch_force.clear();
   lossy_.clear();
-  for (const BodyTouch& touch : sum_touches(system, records_, contacts_->laws()))
-    if (norm(touch.force) > 0) act(system, touch, dt, detail, out);
+  for (const BodyTouch& touch : sum_touches(system, records_, contacts.laws()))
+    if (norm(touch.force) > 0) act(system, contacts, touch, dt, detail, out);
   std::sort(out.trial_touch.begin(), out.trial_touch.end(),
             [](const Touch& a, const Touch& b) { return a.key < b.key; });
-  if (detail == Detail::energies && dt > 0) book_opened(system, dt, out);
+  if (detail == Detail::energies && dt > 0) book_opened(system, contacts, dt, out);
 }
 
-void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double dt, Detail detail,
-                        Evaluation<2>& out) {
+void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, const BodyTouch& touch,
+                        double dt, Detail detail, Evaluation<2>& out) {
   const std::span records(records_.data() + touch.first_record, static_cast<std::size_t>(touch.records));
   const Instant now{system.state}, then{system.state, 0.5 * dt};
-  fill(frame_, system, records, contacts_->laws(), touch, body_, now);
-  if (dt > 0) fill(earlier_, system, records, contacts_->laws(), touch, body_, then);
+  fill(frame_, system, records, contacts.laws(), touch, body_, now);
+  if (dt > 0) fill(earlier_, system, records, contacts.laws(), touch, body_, then);
   const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
   const Vec2 v = moved.velocity(then), n = frame_.normal;
   const TouchMotion motion{dot(v, moved.normal), dot(v, turned_left(moved.normal))};
 
-  const TouchKey key = key_of(records.front());
+  const TouchKey key = key_of(records.front(), contacts.meeting());
   const std::array<std::int32_t, 2> pair = records.front().species;
   const TouchLaw& law = laws_.of(pair);
   const Touch* known = system.touches.find(key);
   // A spring acts on its sites with the square of their weights: never stiffer than it is.
   const double u = known ? known->elongation : 0,
-               leverage = frame_.leverage(contacts_->laws().of(pair).range() * records.front().reach),
-               scale = scale_of(system, key.site) / (leverage * leverage);
+               leverage = frame_.leverage(contacts.laws().of(pair).range() * records.front().reach),
+               scale = scale_of(system, contacts, key.site) / (leverage * leverage);
   const TouchResponse r = respond_touch(law, scale, touch.normal_force(), motion, u, dt);
   out.trial_touch.push_back({key, r.tangential.state, r.tangential.elongation});
   const Mat2 before = out.virial;
@@ -121,14 +121,15 @@ void TouchFriction::act(const System<2>& system, const BodyTouch& touch, double 
 }
 
 /// A spring that is still wound up when its contact opens is lost to friction.
-void TouchFriction::book_opened(const System<2>& system, double dt, Evaluation<2>& out) const {
+void TouchFriction::book_opened(const System<2>& system, const BodyContacts& contacts, double dt,
+                                Evaluation<2>& out) const {
   auto held = out.trial_touch.begin();
   for (const Touch& old : system.touches.rows) {
     while (held != out.trial_touch.end() && held->key < old.key) ++held;
     if (held != out.trial_touch.end() && held->key == old.key) continue;
     const TouchLaw& law =
         laws_.of(system.species_of(body_[old.key.site]), system.species_of(body_of_other(old.key, body_)));
-    const double k_t = scale_of(system, old.key.site) * law.k_t;
+    const double k_t = scale_of(system, contacts, old.key.site) * law.k_t;
     out.energy.sliding_power += 0.5 * k_t * old.elongation * old.elongation / dt;
   }
 }

@@ -114,8 +114,8 @@ std::vector<Derived> derived_laws(const BodyLaws& laws) {
 
 void add_rheology(const BodyLaws& laws, Packing& packing) {
   if (laws.touch.most([](const TouchLaw& t) { return std::max(t.friction, t.eta); }) > 0)
-    packing.field->add(std::make_shared<TouchFriction>(packing.field->shared_bodies(), laws.touch));
-  packing.field->add(std::make_shared<LinkForces>(laws.link));
+    packing.field->add(TouchFriction(laws.touch));
+  packing.field->add(LinkForces(laws.link));
 }
 
 int crosslink_bodies(const Case& c, Packing& packing) {

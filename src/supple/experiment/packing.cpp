@@ -36,14 +36,12 @@ double mean_radius(const System<2>& system) {
 
 }  // namespace
 
-std::shared_ptr<ForceField> make_body_field(const Case& c) {
+ForceField make_body_field(const Case& c) {
   const ContactLaws laws = contact_laws(c);
-  std::shared_ptr<BodyContacts> contacts;
-  if (c.contact.kind == "smooth") contacts = std::make_shared<SmoothContacts>(laws);
-  else contacts = std::make_shared<RoughContacts>(laws);
-  auto field = std::make_shared<ForceField>(std::move(contacts));
-  field->terms().add(std::make_shared<PolygonShape>());
-  field->terms().add(std::make_shared<BodyTermSet<2>>());
+  ForceField field =
+      c.contact.kind == "smooth" ? ForceField(SmoothContacts(laws)) : ForceField(RoughContacts(laws));
+  field.terms().add(std::make_shared<PolygonShape>());
+  field.terms().add(std::make_shared<BodyTermSet<2>>());
   return field;
 }
 
@@ -128,7 +126,7 @@ Packing packing_of(const Case& c, System<2> system, Places places = Places::rand
   check_tension(system);
   Packing p;
   p.system = std::move(system);
-  p.field = make_body_field(c);
+  p.field = std::make_unique<ForceField>(make_body_field(c));
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
   const bool apart = places == Places::apart;

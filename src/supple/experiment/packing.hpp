@@ -23,7 +23,7 @@ enum class OnUnsound { stop, mark };
 /// Everything that an experiment on bodies needs. Pressures that users see are in units of `pressure_unit`.
 struct Packing {
   System<2> system;
-  std::shared_ptr<ForceField> field;
+  Owned<ForceField> field;
   Outline outline = Outline::rough;
   double pressure_unit = 1;                ///< k_a a0 of a small particle; k_c for discs and rigid particles
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
@@ -70,7 +70,7 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// The force field that the case describes.
-std::shared_ptr<ForceField> make_body_field(const Case& c);
+ForceField make_body_field(const Case& c);
 
 /// The walls that the case describes.
 WallLaw wall_law(const Case& c);

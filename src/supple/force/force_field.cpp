@@ -2,6 +2,11 @@
 
 namespace supple {
 
+void ForceField::add(const Interaction& interaction) {
+  if (!bodies_) throw input_error("no such force between microgel discs", "it acts on bodies of many sites");
+  interactions_.push_back(interaction.clone());
+}
+
 void ForceField::add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind) {
   begin_hessian(system);
   terms_.add_hessian(system, blocks, kind);

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/disc_contacts.hpp"
@@ -9,6 +10,7 @@
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/contact/plates.hpp"
 #include "supple/contact/walls.hpp"
+#include "supple/core/owned.hpp"
 #include "supple/force/external.hpp"
 #include "supple/force/terms.hpp"
 #include "supple/model/rigid.hpp"
@@ -17,14 +19,15 @@ namespace supple {
 
 /// evaluate() brings the neighbour list up to date and then adds, in this order, terms, contacts,
 /// interactions, plates, walls and external forces. It changes nothing but the rows of System::pairs; only
-/// commit() lets contacts remember. Microgel discs have DiscContacts, bodies of many sites BodyContacts.
+/// commit() lets contacts remember. Microgel discs have DiscContacts, bodies of many sites BodyContacts. A
+/// value: a copy has its own contacts and interactions, and may act on another system in another thread.
 class ForceField {
  public:
   explicit ForceField(DiscContacts contacts, double relative_skin = default_skin)
       : contacts_(std::move(contacts)),
         neighbors_(relative_skin, Meeting::sites, range_of(contacts_.repulsion())) {}
-  explicit ForceField(std::shared_ptr<BodyContacts> contacts, double relative_skin = default_skin)
-      : bodies_(std::move(contacts)), neighbors_(relative_skin, bodies_->meeting(), bodies_->range()) {}
+  explicit ForceField(const BodyContacts& contacts, double relative_skin = default_skin)
+      : bodies_(contacts.clone()), neighbors_(relative_skin, bodies_->meeting(), bodies_->range()) {}
 
   void evaluate(System<2>& system, Detail detail, Evaluation<2>& out) {
     neighbors_.update(system);
@@ -38,7 +41,8 @@ class ForceField {
     terms_.evaluate(system, detail, out);
     if (bodies_) bodies_->evaluate(system, detail, out);
     else contacts_.evaluate(system, system.lag, detail, out);
-    for (const auto& interaction : interactions_) interaction->evaluate(system, system.lag, detail, out);
+    for (const auto& interaction : interactions_)
+      interaction->evaluate(system, *bodies_, system.lag, detail, out);
     if (repulsive_plates_)
       evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
     if (walls_) evaluate_walls(system, *walls_, detail, out);
@@ -73,9 +77,10 @@ class ForceField {
     system.lag = 0;
   }
 
-  /// Adds forces that are evaluated after the contacts, in the order of these calls.
-  void add(std::shared_ptr<Interaction> interaction) { interactions_.push_back(std::move(interaction)); }
-  const std::vector<std::shared_ptr<Interaction>>& interactions() const { return interactions_; }
+  /// Adds forces that are evaluated after the contacts, in the order of these calls. Input error for microgel
+  /// discs.
+  void add(const Interaction& interaction);
+  const std::vector<Owned<Interaction>>& interactions() const { return interactions_; }
 
   void invalidate() { neighbors_.invalidate(); }
   void set_repulsive_plates(bool repulsive) { repulsive_plates_ = repulsive; }
@@ -87,7 +92,6 @@ class ForceField {
   const DiscContacts& contacts() const { return contacts_; }
   /// The contacts of bodies of many sites; null for microgel discs.
   BodyContacts* bodies() const { return bodies_.get(); }
-  const std::shared_ptr<BodyContacts>& shared_bodies() const { return bodies_; }
   const NeighborList<2>& neighbors() const { return neighbors_; }
 
  private:
@@ -97,8 +101,8 @@ class ForceField {
   TermSet<2> terms_;
   ExternalForces<2> external_;
   DiscContacts contacts_;
-  std::shared_ptr<BodyContacts> bodies_;
-  std::vector<std::shared_ptr<Interaction>> interactions_;
+  Owned<BodyContacts> bodies_;
+  std::vector<Owned<Interaction>> interactions_;
   NeighborList<2> neighbors_;
   std::optional<WallLaw> walls_;
   bool repulsive_plates_ = false;

@@ -1,6 +1,13 @@
 #include "supple/model/pair_table.hpp"
 
+#include <atomic>
+
 namespace supple {
+
+std::uint64_t new_version() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 void set_history_width(PairTable& pairs, int width) {
   const std::vector<double> old = pairs.history;
@@ -44,7 +51,7 @@ void set_pair_state(PairTable& pairs, int sites, std::int32_t i, std::int32_t j,
                          0.0);
     if (!pairs.image.empty()) pairs.image.insert(pairs.image.begin() + row, RowImage{});
     for (int k = i + 1; k <= sites; ++k) ++pairs.begin[k];
-    ++pairs.version;
+    pairs.version = new_version();
   }
   pairs.state[row] = state;
   for (int w = 0; w < pairs.width; ++w) pairs.history[static_cast<std::size_t>(row) * pairs.width + w] = 0;

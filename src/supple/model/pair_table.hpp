@@ -30,7 +30,7 @@ struct PairTable {
   /// link keeps its image for life: NeighborList notes it, and wrap_site changes it when a site crosses the
   /// boundary.
   std::vector<RowImage> image;
-  std::uint64_t version = 0;  ///< changes whenever rows come or go
+  std::uint64_t version = 0;  ///< changes whenever rows come or go: new_version()
   /// How far pairs without a row were at least from touching when the table was made [length]; infinite for
   /// rows made by hand.
   double skin = std::numeric_limits<double>::infinity();
@@ -64,6 +64,9 @@ struct PairTable {
     return low < begin[i + 1] && second[low] == j ? low : -1;
   }
 };
+
+/// A version that no table of this process has: what was made for one table is never taken for another.
+std::uint64_t new_version();
 
 /// Changes the numbers of history in a row to `width`. From two (the elongations of the published package) to
 /// one the mean is kept; from one to two the number is repeated.
