@@ -65,7 +65,7 @@ Case gel() {
 
 using Bits = std::vector<std::uint64_t>;
 
-/// Every number that a run tells, by its bits.
+/// Every number that a run tells, by its bits, but the processor time.
 Bits bits_of(const MemoryRecorder& r) {
   Bits bits;
   const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
@@ -73,7 +73,8 @@ Bits bits_of(const MemoryRecorder& r) {
     for (const auto& row : table.rows)
       for (const double x : row) add(x);
   for (const auto& [group, values] : r.values)
-    for (const auto& v : values) add(v.value), add(v.error);
+    for (const auto& v : values)
+      if (v.name.name != "cpu_time") add(v.value), add(v.error);
   for (const Vec2& x : r.last_system.state.position) add(x[0]), add(x[1]);
   for (const Frame& frame : r.frames)
     for (const Vec2& f : frame.force) add(f[0]), add(f[1]);
@@ -102,7 +103,7 @@ void expect_same_as_alone(const std::vector<Case>& cases) {
   for (int repeat = 0; repeat < 2; ++repeat) {
     const std::vector<Bits> together = side_by_side(cases);
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      EXPECT_GT(alone[k].size(), 1000u);
+      EXPECT_GT(alone[k].size(), 500u);
       EXPECT_TRUE(together[k] == alone[k]) << "run " << k;
     }
   }
@@ -118,7 +119,7 @@ TEST(TwoRuns, OfEveryKindGiveTheBitsOfEachAlone) {
 
 /// Each with helpers of its own, which sleep when it has nothing for them.
 TEST(TwoRuns, OnTwoThreadsEachGiveTheBitsOfEachAlone) {
-  std::vector<Case> cases{discs(1100), shells(110, "rough")};
+  std::vector<Case> cases{discs(1100), shells(80, "rough")};
   cases[0].particles.packing_fraction = 0.8;
   cases[0].shear.periods = 1;
   cases[0].shear.relative_frequency = 2;

@@ -26,7 +26,7 @@ class Objective {
   virtual void preconditioner(std::span<const double> x, SparseMatrix& lower) { hessian(x, lower); }
   /// What must become small: the largest |component| of the gradient unless overridden, for example by the
   /// largest net force on a site.
-  virtual double residual(std::span<const double> x, std::span<const double> slope) { return largest(slope); }
+  virtual double residual(std::span<const double>, std::span<const double> slope) { return largest(slope); }
   /// Residual at which to stop. It may depend on the state last evaluated, such as 1e-6 of the mean contact
   /// force.
   virtual double tolerance() const = 0;
