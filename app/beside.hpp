@@ -32,6 +32,8 @@ std::string summarize(const RunFile& run, Format format, Warnings warnings);
 
 /// Reads the state or packing that [initial] names, if it names one.
 std::optional<InitialState> load_initial(const Case& c);
+/// The same from a copy of that file; empty: there is none.
+std::optional<InitialState> load_initial(const Case& c, const std::string& copy);
 
 /// A case that has adopted what its state holds, and that state, if it starts from one.
 struct LoadedCase {

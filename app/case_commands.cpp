@@ -129,9 +129,13 @@ void list_used(const std::string& name, Format format) {
 }  // namespace
 
 std::optional<InitialState> load_initial(const Case& c) {
-  if (!c.initial.packing.empty()) return as_initial(read_packing_json(c.initial.packing));
-  if (c.initial.state.empty()) return std::nullopt;
-  return read_state(c.initial.state);
+  return load_initial(c, c.initial.packing.empty() ? c.initial.state : c.initial.packing);
+}
+
+std::optional<InitialState> load_initial(const Case& c, const std::string& copy) {
+  if (copy.empty()) return std::nullopt;
+  if (!c.initial.packing.empty()) return as_initial(read_packing_json(copy));
+  return read_state(copy);
 }
 
 std::vector<Derived> derive_case(const Case& c, const std::optional<InitialState>& initial) {

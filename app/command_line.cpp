@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <regex>
 #include <sstream>
 
 #include "supple/core/meant_number.hpp"
@@ -133,6 +134,23 @@ int whole_number(const std::string& option, const std::string& text, int least, 
                     "",
                     digits && !spelt_so ? fmt::format("write {} {}", option, *meant)
                                         : fmt::format("give a whole number from {} to {}", least, most));
+}
+
+double seconds(const std::string& option, const std::string& text) {
+  static const std::regex number(R"(([0-9]*\.?[0-9]+) ?(s|min|h|d)?)"),
+      clock(R"((?:([0-9]+)-)?(?:([0-9]+):)?([0-9]+):([0-9]{2}))");
+  std::smatch found;
+  if (std::regex_match(text, found, number)) {
+    const std::string unit = found[2];
+    const double factor = unit == "min" ? 60 : unit == "h" ? 3600 : unit == "d" ? 86400 : 1;
+    return factor * std::stod(found[1]);
+  }
+  if (std::regex_match(text, found, clock) && (!found[1].matched || found[2].matched)) {
+    const auto part = [&](int k) { return found[k].matched ? std::stod(found[k]) : 0; };
+    return 86400 * part(1) + 3600 * part(2) + 60 * part(3) + part(4);
+  }
+  throw input_error(fmt::format("{} {}: not a time", option, text.empty() ? "''" : text), "",
+                    "give seconds, or 90s, 30min, 12h, 2d, M:SS, H:MM:SS, D-HH:MM:SS");
 }
 
 void check_choice(const std::string& option, const std::string& value,

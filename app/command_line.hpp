@@ -25,6 +25,10 @@ Error explain(const CLI::App& app, const CLI::ParseError& e);
 /// input error that names the option where it is not.
 int whole_number(const std::string& option, const std::string& text, int least, int most);
 
+/// The value of an option that is a time [s]: "90", "90s", "30min", "12h", "2d", "M:SS", "H:MM:SS",
+/// "D-HH:MM:SS" as schedulers write it. Input error for anything else.
+double seconds(const std::string& option, const std::string& text);
+
 /// Throws an input error where the value of an option is not one of `choices`.
 void check_choice(const std::string& option, const std::string& value,
                   const std::vector<std::string>& choices);

@@ -19,6 +19,13 @@ struct CaseChoice {
   int threads = 0;               ///< 0: as the case says
 };
 
+/// Seconds of wall time between checkpoints of a run (0: only where it stops; none: as the library chooses),
+/// and after which it stops (0: never).
+struct Timing {
+  std::optional<double> checkpoint;
+  double limit = 0;
+};
+
 /// Writes a commented case of the experiment. Where `physics` is empty it is the first of the experiment;
 /// where `path` is empty the file is EXPERIMENT.toml.
 void init(const std::string& experiment, const std::string& physics, const std::string& path,
@@ -30,7 +37,15 @@ void check(const CaseChoice& choice, Format format);
 /// Runs the case, writes the run file and what [output] asks for beside it, and prints the summary. Where
 /// `path` is empty the file is that of the case (output.file), or the case's name with .h5 in the current
 /// folder.
-void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format);
+void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format,
+         const Timing& timing);
+
+/// Goes on with a run that was stopped, from its last checkpoint, as if it had not been. `threads` 0: as many
+/// as it was started with.
+void resume(const std::string& run_path, int threads, Format format, const Timing& timing);
+
+/// The signal that asked the command to stop; 0: none.
+int stop_signal();
 
 /// Prints experiments, laws, and every parameter with unit, default and meaning. `what`: only the keys of
 /// this section, or only those that this experiment uses.

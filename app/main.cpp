@@ -31,7 +31,8 @@ constexpr auto about =
     "  supple run oscillatory_shear.toml\n"
     "  supple show oscillatory_shear.h5";
 constexpr auto exit_codes =
-    "Exit codes: 0 done, 2 bad input, 3 numerics failed, 4 file trouble, 130 interrupted.\n"
+    "Exit codes: 0 done, 2 bad input, 3 numerics failed, 4 file trouble,\n"
+    "130 interrupted by Ctrl-C or the time limit, 128 + N by signal N.\n"
     "Help on one command: supple COMMAND --help";
 
 /// What the options of one call are read into.
@@ -40,12 +41,32 @@ struct Options {
   std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, section,
               physics;
   std::optional<int> frame;
+  command::Timing timing;
   bool force = false, json = false;
 
   Existing existing() const { return force ? Existing::replace : Existing::refuse; }
   command::Format format() const { return json ? command::Format::json : command::Format::text; }
 };
 
+void add_threads(CLI::App& c, Options& o) {
+  c.add_option_function<std::string>(
+       "--threads",
+       [&o](const std::string& n) { o.choice.threads = command::whole_number("--threads", n, 1, 1024); },
+       "Threads, from 1 to 1024; results do not depend on them")
+      ->type_name("N");
+}
+void add_timing(CLI::App& c, Options& o) {
+  c.add_option_function<std::string>(
+       "--checkpoint",
+       [&o](const std::string& text) { o.timing.checkpoint = command::seconds("--checkpoint", text); },
+       "Time between checkpoints, from which supple resume goes on; 0: only when stopped (default: 60s)")
+      ->type_name("TIME");
+  c.add_option_function<std::string>(
+       "--time-limit",
+       [&o](const std::string& text) { o.timing.limit = command::seconds("--time-limit", text); },
+       "Stop before this time is over, with a checkpoint: 90s, 30min, 12h, H:MM:SS, D-HH:MM:SS")
+      ->type_name("TIME");
+}
 void add_case(CLI::App& c, Options& o) {
   c.add_option("case", o.choice.path, "Case to read (TOML)")->required()->type_name("CASE.toml");
   c.add_option("--set", o.choice.set,
@@ -53,11 +74,7 @@ void add_case(CLI::App& c, Options& o) {
       ->type_name("SECTION.KEY=VALUE")
       ->expected(1)
       ->take_all();
-  c.add_option_function<std::string>(
-       "--threads",
-       [&o](const std::string& n) { o.choice.threads = command::whole_number("--threads", n, 1, 1024); },
-       "Threads, from 1 to 1024; results do not depend on them")
-      ->type_name("N");
+  add_threads(c, o);
 }
 void add_run(CLI::App& c, Options& o) {
   c.add_option("run", o.run, "Run to read (HDF5), finished or not")->required()->type_name("RUN.h5");
@@ -88,11 +105,20 @@ void add_case_commands(CLI::App& app, Options& o) {
   add_json(*check, o);
   check->callback([&] { command::check(o.choice, o.format()); });
 
-  CLI::App* run = app.add_subcommand("run", "Run a case. Ctrl-C stops it and keeps what it has");
+  CLI::App* run = app.add_subcommand("run", "Run a case. Ctrl-C stops it; supple resume goes on");
   add_case(*run, o);
   add_output(*run, o, "Run to write (default: the name of the case with .h5)");
   add_json(*run, o);
-  run->callback([&] { command::run(o.choice, o.output, o.existing(), o.format()); });
+  add_timing(*run, o);
+  run->callback([&] { command::run(o.choice, o.output, o.existing(), o.format(), o.timing); });
+
+  CLI::App* resume =
+      app.add_subcommand("resume", "Go on with a run that was stopped or killed, as if it had not been");
+  resume->add_option("run", o.run, "Run to go on with (HDF5)")->required()->type_name("RUN.h5");
+  add_threads(*resume, o);
+  add_json(*resume, o);
+  add_timing(*resume, o);
+  resume->callback([&] { command::resume(o.run, o.choice.threads, o.format(), o.timing); });
 
   CLI::App* list =
       app.add_subcommand("list", "List experiments, laws and every parameter with unit and meaning");
@@ -206,7 +232,8 @@ int obey(int argc, char** argv) {
     return app.exit(asked);
   } catch (const supple::Error& e) {
     std::fprintf(stderr, "supple: %s\n", e.what());
-    return e.exit_code();
+    const bool by_signal = e.kind() == supple::ErrorKind::interrupted && command::stop_signal() != 0;
+    return by_signal ? 128 + command::stop_signal() : e.exit_code();
   } catch (const std::bad_alloc&) {
     std::fputs(
         "supple: not enough memory for this (the case or file asks for more than there is); make it "

@@ -1,4 +1,4 @@
-/// run: an experiment, its file, and the pictures and texts that the case asks for beside it.
+/// run and resume: an experiment, its file, and the pictures and texts that the case asks for beside it.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
+#include "supple/core/parallel.hpp"
 #include "supple/core/path_kind.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -29,35 +30,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted_by = 0, wants_checkpoint = 0;
 
 /// The first Ctrl-C asks the experiment to stop; the second one ends the program.
 void on_interrupt(int signal) {
-  interrupted = 1;
+  interrupted_by = signal;
   std::signal(signal, SIG_DFL);
 }
 
 /// A terminal that closes may say so more than once: the run still ends as after one Ctrl-C.
-void on_hang_up(int) { interrupted = 1; }
+void on_hang_up(int signal) { interrupted_by = signal; }
+
+/// Schedulers send it some time before they end a job (Slurm: --signal=USR1@60): the run goes on.
+void on_checkpoint(int) { wants_checkpoint = 1; }
 
 /// Writes the run and shows its progress on stderr.
 class CommandRecorder : public FileRecorder {
  public:
-  CommandRecorder(const std::string& path, const Case& c, Existing existing)
-      : FileRecorder(path, c, write_case(c, CaseStyle::resolved), existing),
-        line_(std::cerr, isatty(STDERR_FILENO) ? ProgressLine::Style::bar : ProgressLine::Style::lines) {}
+  CommandRecorder(const std::string& path, const Case& c, Existing existing, const CheckpointSpec& spec)
+      : FileRecorder(path, c, write_case(c, CaseStyle::resolved), existing, {}, spec),
+        line_(std::cerr, style()) {}
+  CommandRecorder(const std::string& path, const RunStart& start, const CheckpointSpec& spec)
+      : FileRecorder(path, start, spec), line_(std::cerr, style()) {}
 
   void progress(const std::string& phase, std::int64_t done, std::int64_t total) override {
+    FileRecorder::progress(phase, done, total);
     line_.update(phase, done, total);
   }
   void warning(const std::string& text) override {
     FileRecorder::warning(text);
     line_.message("warning: " + text);
   }
-  bool stop_requested() const override { return interrupted != 0; }
   void end_progress() { line_.finish(); }
 
+ protected:
+  bool asked_to_stop() override { return interrupted_by != 0; }
+  bool asked_for_checkpoint() override {
+    if (wants_checkpoint == 0) return false;
+    wants_checkpoint = 0;
+    return true;
+  }
+
  private:
+  static ProgressLine::Style style() {
+    return isatty(STDERR_FILENO) ? ProgressLine::Style::bar : ProgressLine::Style::lines;
+  }
   ProgressLine line_;
 };
 
@@ -137,31 +154,57 @@ std::vector<std::string> write_beside(const Case& c, const std::string& run, Exi
 void heed_signals() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGUSR1, on_checkpoint);
   if (std::signal(SIGHUP, on_hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as under nohup
 }
 
-}  // namespace
+constexpr double never = 1e9;  // [s]; infinity would be beyond the clock
 
-void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format) {
-  heed_signals();  // from the first moment: a stop that comes early is answered as any other
-  const auto [c, initial] = load_case(choice);
-  derive_case(c, initial);  // its input errors come before any file
-  const std::string file = run_path(c, choice.path, path);
-  check_outputs(c, choice.path, file, existing);
-  for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);
+CheckpointSpec spec_of(const Timing& timing) {
+  CheckpointSpec spec;
+  if (timing.checkpoint) {
+    spec.period = *timing.checkpoint > 0 ? *timing.checkpoint : never;
+    spec.share = never;  // the user asked for so many
+  }
+  if (timing.limit > 0) spec.limit = timing.limit;
+  return spec;
+}
 
-  CommandRecorder recorder(file, c, existing);
+/// The word as a shell reads it.
+std::string shell_word(const std::string& text) {
+  const bool plain = text.find_first_not_of(
+                         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+                         "_-./+=:,@%") == text.npos;
+  if (plain) return text;
+  std::string quoted;
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return "'" + quoted + "'";
+}
+
+/// What an error says of how to go on.
+std::string what_is_left(const FileRecorder& recorder, bool stopped) {
+  std::string text;
+  if (recorder.began() && path_kind(recorder.path()) == PathKind::file &&
+      RunFile(recorder.path()).frames() > 0)
+    text = "what was computed is in " + recorder.path();
+  if (!stopped || !recorder.can_resume()) return text;
+  return text + (text.empty() ? "" : "; ") + "go on with: supple resume " + shell_word(recorder.path());
+}
+
+/// Computes the run and all that its case wants beside it, and prints its summary.
+void compute(const Case& c, const std::optional<InitialState>& initial, CommandRecorder& recorder,
+             Existing existing, Format format) {
   try {
     supple::run(c, initial ? &*initial : nullptr, recorder);
     recorder.end_progress();
     recorder.finish("complete");
   } catch (const Error& e) {
+    const bool stopped = e.kind() == ErrorKind::interrupted;
     recorder.end_progress();
-    recorder.finish(e.kind() == ErrorKind::interrupted ? "interrupted" : std::string("failed: ") + e.what());
-    if (recorder.began() && RunFile(file).frames() > 0)
-      throw Error(e.kind(), e.what(), "", "what was computed is in " + file);
-    throw;
+    recorder.finish(stopped ? "interrupted" : std::string("failed: ") + e.what());
+    throw Error(e.kind(), e.what(), "", what_is_left(recorder, stopped));
   }
+  const std::string file = recorder.path();
   std::vector<std::string> written = write_beside(c, file, existing, recorder);
   written.insert(written.begin(), file);
   const std::string names = hang_words("wrote", join_names(written, ""), 6);
@@ -170,6 +213,49 @@ void run(const CaseChoice& choice, const std::string& path, Existing existing, F
   if (format == Format::text) screen.write("\n" + names);
   else fmt::print(stderr, "{}", names);
   screen.commit();
+}
+
+}  // namespace
+
+int stop_signal() { return interrupted_by; }
+
+void run(const CaseChoice& choice, const std::string& path, Existing existing, Format format,
+         const Timing& timing) {
+  heed_signals();  // from the first moment: a stop that comes early is answered as any other
+  const auto [c, initial] = load_case(choice);
+  derive_case(c, initial);  // its input errors come before any file
+  const std::string file = run_path(c, choice.path, path);
+  check_outputs(c, choice.path, file, existing);
+  for (const std::string& doubt : find_doubts(c)) fmt::print(stderr, "warning: {}\n", doubt);
+  CommandRecorder recorder(file, c, existing, spec_of(timing));
+  compute(c, initial, recorder, existing, format);
+}
+
+void resume(const std::string& run_path, int threads, Format format, const Timing& timing) {
+  heed_signals();
+  std::string file = run_path;
+  if (const std::string ending = partial_folder("");
+      file.ends_with(ending) && path_kind(file) == PathKind::folder)
+    file.resize(file.size() - ending.size());
+  const std::string folder = partial_folder(file);
+  if (path_kind(folder) != PathKind::folder) {
+    if (path_kind(file) != PathKind::file)
+      throw file_error("there is no run " + file, "neither the file nor the folder " + folder + " exists");
+    const std::string status = RunFile(file).status();
+    throw file_error("cannot resume " + file, status == "complete" ? "it is complete" : "it is " + status,
+                     status == "complete" ? "" : "go on from its last state with initial.state");
+  }
+  const RunStart start = read_start(folder);
+  if (start.lacks_initial())
+    throw file_error("cannot resume " + file, "no copy was kept of the state that it started from");
+  Case c = start.resolved;
+  if (threads > 0) c.general.threads = threads;
+  thread_count() = c.general.threads;
+  const std::optional<InitialState> initial = load_initial(c, start.initial);
+  CommandRecorder recorder(file, start, spec_of(timing));
+  for (const std::string& reason : recorder.refused_checkpoints())
+    fmt::print(stderr, "warning: an older checkpoint is used: {}\n", reason);
+  compute(c, initial, recorder, Existing::replace, format);
 }
 
 }  // namespace supple::command

@@ -68,6 +68,8 @@ class CommandTest : public testing::Test {
   }
 
   /// Root may write anywhere, so tests of permissions run their commands as another user.
+  /// What the shell reads before the command, with a space behind it.
+  void set_prefix(const std::string& prefix) { prefix_ = prefix; }
   void run_as_nobody() { prefix_ = "setpriv --reuid=65534 --regid=65534 --clear-groups "; }
 
  private:

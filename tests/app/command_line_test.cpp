@@ -21,9 +21,10 @@ class CommandLine : public CommandTest {
 TEST_F(CommandLine, MisspeltCommandsAndOptionsNameTheNearest) {
   write("e.toml", "");
   expect_answer("rnu e.toml", "there is no command 'rnu'; did you mean 'run'?");
-  expect_answer("simulate e.toml",
-                "there is no command 'simulate'; the commands are init, check, run, list, show, export, "
-                "snapshot, plot");
+  expect_answer(
+      "simulate e.toml",
+      "there is no command 'simulate'; the commands are init, check, run, resume, list, show, export, "
+      "snapshot, plot");
   expect_answer("check e.toml --theads 2", "supple check has no option --theads; did you mean --threads?");
   expect_answer("check --theads=2", "supple check has no option --theads; did you mean --threads?");
   expect_answer(

@@ -47,9 +47,9 @@ TEST(JamAtPressure, LeavesAPackingToGoOnFromWhereItFails) {
   Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   JamSpec spec = jam_spec(c);
   spec.window = 1e-15;
-  JamProgress work;
-  ASSERT_FALSE(jam_at_pressure(packing, spec, {}, work));
-  EXPECT_GT(work.minimisations, 10);
+  JamState state;
+  ASSERT_FALSE(jam_at_pressure(packing, spec, state, {}, {}));
+  EXPECT_GT(state.progress.minimisations, 10);
   EXPECT_TRUE(look_at(packing).sound());
   EXPECT_LT(observe(packing).contact_pressure, 30 * c.jamming.pressure);
   spec = jam_spec(c);

@@ -26,7 +26,7 @@ Case small_case(const std::string& experiment, const std::string& family = "shel
 class Stopper : public MemoryRecorder {
  public:
   explicit Stopper(long after) : left_(after) {}
-  bool stop_requested() const override {
+  bool stop_requested() override {
     if (left_ <= 0) ++late_;
     return --left_ < 0;
   }

@@ -1,5 +1,6 @@
 /// What a user can go on with: each experiment from each kind of file either goes on right or is refused with
 /// a reason.
+#include "supple/io/run/run_file.hpp"
 #include "tests/io/continued_run.hpp"
 #include "tests/io/same_system.hpp"
 
@@ -169,6 +170,44 @@ TEST_F(ContinuationMatrix, EachExperimentGoesOnOrSaysWhyNot) {
         if (reasons[k].empty()) EXPECT_EQ(error, "") << file << " to " << experiments[k];
         else EXPECT_THAT(error, HasSubstr(reasons[k])) << file << " to " << experiments[k];
       }
+}
+
+/// Contact kind, elastic and tensile law, plates, friction, stiffness: a case that says nothing of them
+/// changes none, whatever experiment goes on.
+TEST_F(ContinuationMatrix, WhateverGoesOnKeepsTheLawsOfItsState) {
+  make_files();
+  int continuations = 0, kept = 0;
+  for (const std::string file :
+       {"gel.h5", "package.h5", "plates.h5", "jam.h5", "rigid.h5", "linked.h5", "box.h5", "heap.h5"}) {
+    const HeldKeys held = laws_of(held_keys(RunFile(in_folder(file)).resolved_case()));
+    const InitialState initial = load(file);
+    for (const std::string& experiment : experiment_names()) {
+      Case c = case_of("experiment = \"" + experiment + "\"\n");
+      c.initial.state = file;
+      try {
+        c = adopt_state(c, &initial);
+      } catch (const Error&) {  // such particles are not for this experiment
+        continue;
+      }
+      ++continuations;
+      const HeldKeys now = laws_of(held_keys(c));
+      for (const auto& [key, value] : held)
+        if (const auto at = now.find(key); at != now.end()) {
+          EXPECT_EQ(shown(at->second), shown(value)) << file << " to " << experiment << ": " << key;
+          ++kept;
+        }
+      if (file == "jam.h5") {
+        EXPECT_EQ(c.contact.kind, "smooth") << experiment;
+      }
+      if (file == "gel.h5") {
+        EXPECT_EQ(c.material.elastic_law + " " + c.material.tensile_law + " " + c.box.plates,
+                  "plateau saturating none")
+            << experiment;
+      }
+    }
+  }
+  EXPECT_GE(continuations, 30);
+  EXPECT_GE(kept, 300);
 }
 
 TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {

@@ -1,5 +1,5 @@
 /// Runs whose file is sound HDF5 but says what cannot be: sizes, indices, types and texts are not believed.
-#include <chrono>
+#include <ctime>
 
 #include "supple/core/utf8.hpp"
 #include "supple/io/export/csv.hpp"
@@ -20,7 +20,7 @@ class DamagedRun : public ContinuedRun {
   /// What `act` throws, where that is no error of Supple; and that it ends soon.
   template <class Act>
   void expect_an_error_or_none(const std::string& what, Act&& act) const {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // a busy machine takes longer
     try {
       act();
     } catch (const Error& e) {
@@ -28,7 +28,7 @@ class DamagedRun : public ContinuedRun {
     } catch (const std::exception& e) {
       ADD_FAILURE() << what << ": " << e.what();
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << what;
+    EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC) << what;
   }
 
   /// Everything that show reads.

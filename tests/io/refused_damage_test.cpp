@@ -91,12 +91,6 @@ TEST_F(RefusedDamage, OfAState) {
            {"sites/velocity", Damage::shorter, "arrays of the sites differ in length"},
            {"sites/radius", Damage::longer, "arrays of the sites differ in length"},
            {"sites/mobility", Damage::large, "mobility: a code without a meaning"},
-           {"pairs/second", Damage::shorter, "columns of the pairs differ in length"},
-           {"pairs/begin", Damage::large, "pairs and sites disagree"},
-           {"pairs/begin", Damage::shorter, "pairs and sites disagree"},
-           {"pairs/first", Damage::minus_one, "a pair of sites that do not exist"},
-           {"pairs/second", Damage::large, "a pair of sites that do not exist"},
-           {"pairs/state", Damage::large, "state: a code without a meaning"},
            {"topology/begin", Damage::large, "its bodies do not cover the sites"},
            {"topology/facet_begin", Damage::shorter, "its bodies differ in number"},
            {"topology/facet_begin", Damage::large, "facets and bodies disagree"},
@@ -111,6 +105,23 @@ TEST_F(RefusedDamage, OfAState) {
            {"rigid/body", Damage::large, "rigid bodies and bodies disagree"},
            {"evaluation/force", Damage::shorter, "forces and torques differ in number"},
            {"evaluation/virial", Damage::shorter, "virial has another dimension"},
+       })
+    EXPECT_THAT(error_of(std::string("final_state/") + r.dataset, r.damage, read), HasSubstr(r.text))
+        << r.dataset;
+}
+
+/// Of discs that touch, as bodies of many sites have no pairs that remember.
+TEST_F(RefusedDamage, OfPairs) {
+  record("run.h5",
+         case_of("experiment = \"dynamics\"\n[particles]\nN = 24\ncut_lines = 0\n[time]\nsteps = 1\n"));
+  const auto read = [](const RunFile& run) { run.final_state(); };
+  for (const Refused& r : {
+           Refused{"pairs/second", Damage::shorter, "columns of the pairs differ in length"},
+           {"pairs/begin", Damage::large, "pairs and sites disagree"},
+           {"pairs/begin", Damage::shorter, "pairs and sites disagree"},
+           {"pairs/first", Damage::minus_one, "a pair of sites that do not exist"},
+           {"pairs/second", Damage::large, "a pair of sites that do not exist"},
+           {"pairs/state", Damage::large, "state: a code without a meaning"},
        })
     EXPECT_THAT(error_of(std::string("final_state/") + r.dataset, r.damage, read), HasSubstr(r.text))
         << r.dataset;

@@ -96,7 +96,7 @@ inline System<2> sample_system(int discs) {
   for (int i = 0; i + 1 < discs; ++i) {
     pairs.first.push_back(i);
     pairs.second.push_back(i + 1);
-    pairs.state.push_back(static_cast<ContactState>(i % 4));
+    pairs.state.push_back(static_cast<ContactState>(1 + i % 3));
     pairs.history.insert(pairs.history.end(), {i / 19., -i / 23.});
     pairs.begin.push_back(i + 1);
   }

@@ -73,7 +73,9 @@ TEST_P(Protocol, PreparedSuspensionIsAsThePackages) {
   const Case c = package_case(reference);
   const ParticleShearRun run = derive_particleshear(c);
   ParticleShearStepper stepper(run.constants), again(run.constants);
-  System<2> system = prepare_particleshear(c, run, stepper);
+  ParticleShearPreparation preparation = begin_preparation(c);
+  prepare_particleshear(c, run, stepper, preparation);
+  System<2>& system = preparation.system;
   const StressTensors t =
       stress_tensors(system, stepper.evaluate(system, {}), particleshear_units().stress());
   // The reference runs of 45 discs: 1023 to 1367 Pa, 8 to 12 discs on the plates.
@@ -87,7 +89,9 @@ TEST_P(Protocol, PreparedSuspensionIsAsThePackages) {
   EXPECT_EQ(stepper.friction(), run.constants.mu);
   EXPECT_EQ(connected_particles(system, LinkKind::all) == std::vector<std::int32_t>(system.state.size(), 0),
             c.particles.permanent_links);
-  const System<2> twin = prepare_particleshear(c, run, again);
+  ParticleShearPreparation other = begin_preparation(c);
+  prepare_particleshear(c, run, again, other);
+  const System<2>& twin = other.system;
   EXPECT_EQ(twin.state.position, system.state.position);
 }
 

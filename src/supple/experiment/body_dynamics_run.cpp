@@ -44,8 +44,17 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   if (is_sheared(c)) return run_sheared_dynamics(c, initial, recorder);
   Packing packing = moving_packing(c, initial, at_random(recorder));
   System<2>& s = packing.system;
-  start_clock(s, c);
-  const double dt = body_time_step(c, packing, initial, conserving_step);
+  start_clock(s, c, recorder);
+  double dt = body_time_step(c, packing, initial, conserving_step);
+  std::int64_t step = 0;
+  LastGood good(packing);
+  const Keep keep = [&](Keeper& k) {
+    k("packing", packing);
+    k("good", good);
+    k("dt", dt);
+    k("step", step);
+  };
+  restore(recorder, keep);
   Mover dynamics(*packing.field, c.motion.damping);
   dynamics.set_plasticity(plastic_law(c));
   begin_packing(packing, derived_motion(c, packing, dt), recorder);
@@ -53,19 +62,18 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   recorder.declare("motion", motion_columns(packing));
   const std::int64_t steps = c.time.steps, per_row = std::max<std::int64_t>(1, steps / rows);
   FrameSchedule frames(steps, c.output.frames);
+  frames.skip_to(step);
   const Surroundings surroundings =
       environment_of(packing).is_closed() ? Surroundings::closed : Surroundings::open;
-  LastGood good(packing);
   try {
-    for (std::int64_t i = 0; i < steps; ++i) {
-      const bool keeps_frame = frames.due(i);
-      if (keeps_frame || i % look_interval(steps) == 0) good.look();
-      if (i % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate_energies(s)));
+    for (; step < steps; ++step) {
+      recorder.safe_point(keep, "at step", step);
+      const bool keeps_frame = frames.due(step);
+      if (keeps_frame || step % look_interval(steps) == 0) good.look();
+      if (step % per_row == 0) recorder.append("motion", motion_row(packing, dynamics.evaluate_energies(s)));
       if (keeps_frame) recorder.frame(packing_frame(packing, report_packing(packing), surroundings));
       dynamics.advance(s, dt);
-      if (i % 256 == 0) recorder.progress("dynamics", i, steps);
-      if (recorder.stop_requested())
-        throw Error(ErrorKind::interrupted, "interrupted after step " + std::to_string(i + 1));
+      if (step % 256 == 0) recorder.progress("dynamics", step, steps);
     }
     good.look();
   } catch (const Error&) {

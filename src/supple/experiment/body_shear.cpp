@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -13,6 +12,7 @@
 #include "supple/experiment/moduli.hpp"
 #include "supple/experiment/shear_protocol.hpp"
 #include "supple/experiment/sheared_bodies.hpp"
+#include "supple/experiment/suspension.hpp"
 #include "supple/experiment/way_to_jam.hpp"
 
 namespace supple {
@@ -22,13 +22,22 @@ namespace {
 /// Particles of the state, or random ones, jammed.
 Packing jammed_packing(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_periodic_packing(c, initial, sheared(at_random(recorder)));
-  if (initial) return packing;
+  restore_sheared(packing, recorder);
+  if (initial || resumed_part(recorder) == sheared_part) return packing;
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   WayToJam way(c.jamming.pressure);
-  jam(packing, jam_spec(c), [&](const JamProgress& p) {
-    recorder.progress("jam", static_cast<std::int64_t>(999 * way.share(p)), 1000);
-    return !recorder.stop_requested();
+  JamState state;
+  const Keep keep = in_part("jam", [&](Keeper& k) {
+    k("packing", packing);
+    k("jam", state);
   });
+  restore(recorder, keep, "jam");
+  jam(
+      packing, jam_spec(c), state, [&] { recorder.hold(keep, "after minimisation", state.minimisations()); },
+      [&](const JamProgress& p) {
+        recorder.progress("jam", static_cast<std::int64_t>(999 * way.share(p)), 1000);
+        return true;
+      });
   return packing;
 }
 
@@ -67,13 +76,15 @@ double dissipated_modulus(const std::vector<double>& lost, const OscillatoryProt
 void record_moduli(const BodyStressTable& table, const std::vector<double>& lost,
                    const OscillatoryProtocol& p, const Packing& packing, Recorder& recorder) {
   const auto record = [&](const char* name, const std::vector<double>& stress, const char* meaning) {
-    const StressSeries series{name, meaning, packing.pressure_symbol, table.time, stress};
+    const StressSeries series{name, meaning, packing.pressure_symbol, table.column("t"), stress};
     return Estimate{name, series.unit, record_modulus(series, windows_of(p), fit_harmonics, recorder)};
   };
-  const Estimate total = record("total", table.total, "the virial with the kinetic part"),
-                 virial = record("virial", table.virial, "the virial of shapes, contacts and links");
-  if (!table.plates.empty())
-    record("plates", table.plates,
+  const Estimate total =
+                     record("total", table.column("shear_stress_total"), "the virial with the kinetic part"),
+                 virial = record("virial", table.column("shear_stress_virial"),
+                                 "the virial of shapes, contacts and links");
+  if (table.has_plates())
+    record("plates", table.column("shear_stress_plates"),
            "forces from outside, of plates and of images beyond them, over the width");
   recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"},
                  total.found.cycles);
@@ -92,10 +103,10 @@ void record_moduli(const BodyStressTable& table, const std::vector<double>& lost
                 "what the cycles take goes into motion and shapes; more shear.periods, or a lower "
                 "shear.relative_frequency",
                 recorder);
-  recorder.value("results",
-                 {"mean_pressure", packing.pressure_symbol, "mean of the pressure over the protocol"},
-                 std::accumulate(table.pressures.begin(), table.pressures.end(), 0.0) /
-                     static_cast<double>(table.pressures.size()));
+  const std::vector<double> pressures = table.column("pressure");
+  recorder.value(
+      "results", {"mean_pressure", packing.pressure_symbol, "mean of the pressure over the protocol"},
+      std::accumulate(pressures.begin(), pressures.end(), 0.0) / static_cast<double>(pressures.size()));
 }
 
 std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initial) {
@@ -107,23 +118,35 @@ std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initia
 }
 
 void run_body_shear(const Case& c, const InitialState* initial, Recorder& recorder) {
-  const std::clock_t start = std::clock();
   Packing packing = jammed_packing(c, initial, recorder);
   const BodyLaws laws = body_laws(c, packing);
-  const OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
+  OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
+  const bool goes_on = resumed_part(recorder) == sheared_part;
+  const Keep more = [&](Keeper& k) { k("protocol", p); };
+  restore(recorder, more, sheared_part);
   const double damping = damping_of(c, p);
   add_rheology(laws, packing);
   begin_packing(packing, derived_shear(packing, laws, p, damping), recorder);
   link_packing(c, packing, recorder);
-  packing.system.time = 0;
-  packing.system.step = 0;
+  if (!goes_on) packing.system.time = 0, packing.system.step = 0;
   ShearedBodies bodies(c, initial, packing, recorder);
-  bodies.move({"oscillatory shear", p.steps(), p.steps() + 1, std::max(c.output.images, c.output.frames),
-               p.time_step(), damping, [&](std::int64_t step, double) { return p.rates(step); }});
+  try {
+    bodies.move({"oscillatory shear", p.steps(), p.steps() + 1, std::max(c.output.images, c.output.frames),
+                 p.time_step(), damping, [&](std::int64_t step, double) { return p.rates(step); }},
+                more);
+  } catch (const Error& e) {
+    if (const auto cycles = whole_cycles(windows_of(p), bodies.table().column("t"));
+        cycles && e.kind() == ErrorKind::interrupted) {
+      OscillatoryProtocol stopped = p;
+      stopped.shear_steps = std::llround(cycles->periods) * p.steps_per_period;
+      stopped.post_steps = 0;
+      record_moduli(bodies.table(), bodies.lost(), stopped, packing, recorder);
+    }
+    throw;
+  }
   record_moduli(bodies.table(), bodies.lost(), p, packing, recorder);
   bodies.finish();
-  recorder.value("results", {"cpu_time", "s", "processor time of the run"},
-                 static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  recorder.value("results", {"cpu_time", "s", "processor time of the run"}, recorder.cpu_time());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace supple {
 BodyStressTable::BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder)
     : packing_(packing),
       tensors_(tensors),
-      has_plates_(has_plates(packing.system.state)),
+      has_plates_(supple::has_plates(packing.system.state)),
       recorder_(recorder) {
   const std::string& unit = packing.pressure_symbol;
   std::vector<Column> columns{
@@ -39,17 +39,11 @@ void BodyStressTable::append(const Evaluation<2>& evaluation, double strain_rate
   std::vector<double> row{
       s.time,          s.box.strain, strain_rate, shear_stress(stress), shear_stress(stress) - kinetic,
       pressure(stress)};
-  if (has_plates_) {
-    plates.push_back((plate_moment(s, evaluation) + image_moment(s, evaluation)) /
-                     (s.box.volume() * packing_.pressure_unit));
-    row.push_back(plates.back());
-  }
+  if (has_plates_)
+    row.push_back((plate_moment(s, evaluation) + image_moment(s, evaluation)) /
+                  (s.box.volume() * packing_.pressure_unit));
   if (tensors_) row.insert(row.end(), {stress[0][0], stress[0][1], stress[1][0], stress[1][1]});
   recorder_.append("stress", row);
-  time.push_back(s.time);
-  virial.push_back(row[3]);
-  total.push_back(row[4]);
-  pressures.push_back(row[5]);
 }
 
 double BodyStressTable::kinetic_moment(const Evaluation<2>& evaluation) const {

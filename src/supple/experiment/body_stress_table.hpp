@@ -1,5 +1,6 @@
 /// The table "stress" of sheared bodies.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "supple/experiment/packing_record.hpp"
@@ -7,15 +8,19 @@
 namespace supple {
 
 /// A row per step: the stress of all shapes, contacts and links, compression positive, in pressure units;
-/// with `tensors`, every component of the virial. Keeps the series that demodulation needs.
+/// with `tensors`, every component of the virial.
 class BodyStressTable {
  public:
   BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder);
   /// Adds a row. The evaluation must hold energies; the strain rate is that of its instant [1/time].
   void append(const Evaluation<2>& evaluation, double strain_rate);
 
-  std::vector<double> time, virial, total, pressures;
-  std::vector<double> plates;  ///< empty where there were no plates at first
+  /// A column of the table so far, one value a row.
+  std::vector<double> column(const std::string& name) const { return recorder_.column("stress", name); }
+  /// Whether there were plates at first.
+  bool has_plates() const { return has_plates_; }
+
+  void keep(Keeper& k) { k("has_plates", has_plates_); }
 
  private:
   /// sum m u_x u_y at the instant of the forces [energy], u relative to the flow of the box (that of half a

@@ -37,6 +37,20 @@ struct Snapshot {
   std::vector<std::uint8_t> rattlers;
   std::vector<Vec2> centre;
   Box<2> box;
+
+  void keep(Keeper& k) {
+    std::vector<std::int32_t> sites;
+    for (const auto& p : pairs) sites.insert(sites.end(), {p.first, p.second});
+    k("pairs", sites);
+    pairs.assign(sites.size() / 2, {});
+    for (std::size_t n = 0; n < pairs.size(); ++n) {
+      pairs[n].first = sites[2 * n];
+      pairs[n].second = sites[2 * n + 1];
+    }
+    k("rattlers", rattlers);
+    k("centre", centre);
+    k("box", box);
+  }
 };
 
 struct NetworkChange {
@@ -109,6 +123,34 @@ Observables<Place> place_observables(const Packing& packing) {
 struct Course {
   std::vector<double> packing_fraction, pressure;
   std::vector<std::uint8_t> rearranged;
+
+  void keep(Keeper& k) {
+    k("packing_fraction", packing_fraction);
+    k("pressure", pressure);
+    k("rearranged", rearranged);
+  }
+};
+
+/// How far the walk along the list has got.
+struct Walk {
+  std::vector<double> ascent;  ///< pressures of the way up
+  bool has_list = false;
+  std::int64_t done = 0;  ///< pressures reached
+  JamState jam;           ///< of the search for the next
+  JamProgress last;
+  Snapshot before;
+  Course up, down;
+
+  void keep(Keeper& k) {
+    k("ascent", ascent);
+    k("has_list", has_list);
+    k("done", done);
+    k("jam", jam);
+    k("last", last);
+    k("before", before);
+    k("up", up);
+    k("down", down);
+  }
 };
 
 /// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the
@@ -135,73 +177,91 @@ std::vector<Derived> derive_compression(const Case& c, const InitialState* initi
   return all;
 }
 
+/// The pressures of the way up. A packing that is compressed already goes on from its pressure, because
+/// decompressing it first would change it. On the way back it goes through all pressures of the list.
+std::vector<double> pressures_above(const Case& c, std::vector<double> list, const InitialState* initial,
+                                    Packing& packing) {
+  if (!initial) return list;
+  const MinimiseReport report = relax(packing);
+  require_converged(packing, report, "the packing to start from");
+  remember(packing, report, look_at(packing));
+  const double present = observe(packing).pressure;
+  std::erase_if(list, [&](double pressure) { return pressure * (1 + c.jamming.window) <= present; });
+  if (list.empty() && !c.compression.decompress)
+    throw input_error(
+        fmt::format("the state to start from has the pressure {:.4g}", present),
+        fmt::format("compression.highest_pressure = {} is below", c.compression.highest_pressure),
+        "raise it, or set compression.decompress = true");
+  return list;
+}
+
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   const std::vector<double> list = pressure_list(c);
-  std::vector<double> ascent = list;
   Packing packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_compression(c, initial), recorder);
   const Observables<Place> observables = place_observables(packing);
   observables.declare("packing", recorder);
+  Walk walk;
+  const Keep keep = [&](Keeper& k) {
+    k("packing", packing);
+    k("walk", walk);
+  };
+  restore(recorder, keep);
   JamSpec spec = jam_spec(c);
-  JamProgress last;
-  Snapshot before;
-  Course up, down;
-  std::int64_t done = 0, total = 0;
+  std::int64_t total = 0;
   const auto watch = [&](const JamProgress& p) {
     recorder.progress(
-        fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), done,
-        total);
-    return !recorder.stop_requested();
+        fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
+        walk.done, total);
+    return true;
   };
   const auto go_to = [&](double pressure, Branch branch) {
     spec.pressure = pressure;
     // Contacts that were soft for a while would rearrange a packing that has jammed.
-    if (spec.search == JamSearch::pressure && (initial || done > 0)) spec.search = JamSearch::root;
-    const JamProgress before_this = last;
-    last = jam(packing, spec, watch);
-    last.evaluations += before_this.evaluations;
-    last.minimisations += before_this.minimisations;
-    last.unconverged += before_this.unconverged;
+    if (spec.search == JamSearch::pressure && (initial || walk.done > 0)) spec.search = JamSearch::root;
+    JamProgress reached = jam(
+        packing, spec, walk.jam, [&] { recorder.hold(keep, "on the way to pressure", walk.done + 1); },
+        watch);
+    reached.evaluations += walk.last.evaluations;
+    reached.minimisations += walk.last.minimisations;
+    reached.unconverged += walk.last.unconverged;
+    walk.last = reached;
     const PackingReport report = report_packing(packing);
     Snapshot now = take_snapshot(packing, report);
-    const Place place{{packing, report, last}, branch, compare(before, now)};
+    const Place place{{packing, report, walk.last}, branch, compare(walk.before, now)};
     observables.append("packing", place, recorder);
-    Course& course = branch == Branch::compression ? up : down;
+    Course& course = branch == Branch::compression ? walk.up : walk.down;
     course.packing_fraction.push_back(report.fraction.total);
     course.pressure.push_back(supple::pressure(place.stress()));
     course.rearranged.push_back(place.change.rearranged());
     recorder.frame(packing_frame(packing, report));
-    before = std::move(now);
-    ++done;
+    walk.before = std::move(now);
+    walk.jam = {};
+    ++walk.done;
   };
   try {
-    // A packing that is compressed already goes on from its pressure, because decompressing it first would
-    // change it. On the way back it goes through all pressures of the list.
-    if (initial) {
-      const MinimiseReport report = relax(packing);
-      require_converged(packing, report, "the packing to start from");
-      remember(packing, report, look_at(packing));
-      const double present = observe(packing).pressure;
-      std::erase_if(ascent, [&](double pressure) { return pressure * (1 + c.jamming.window) <= present; });
-      if (ascent.empty() && !c.compression.decompress)
-        throw input_error(
-            fmt::format("the state to start from has the pressure {:.4g}", present),
-            fmt::format("compression.highest_pressure = {} is below", c.compression.highest_pressure),
-            "raise it, or set compression.decompress = true");
+    if (!walk.has_list) {
+      recorder.hold(keep, "on the way to pressure", 1);
+      walk.ascent = pressures_above(c, list, initial, packing);
+      walk.has_list = true;
     }
-    const std::size_t descent = !c.compression.decompress ? 0 : list.size() - !ascent.empty();
-    total = static_cast<std::int64_t>(ascent.size() + descent);
-    for (const double pressure : ascent) go_to(pressure, Branch::compression);
-    for (std::size_t k = descent; k-- > 0;) go_to(list[k], Branch::decompression);
+    const auto up = static_cast<std::int64_t>(walk.ascent.size());
+    const std::int64_t down =
+        !c.compression.decompress ? 0 : static_cast<std::int64_t>(list.size()) - !walk.ascent.empty();
+    total = up + down;
+    while (walk.done < total) {
+      if (walk.done < up) go_to(walk.ascent[static_cast<std::size_t>(walk.done)], Branch::compression);
+      else go_to(list[static_cast<std::size_t>(total - 1 - walk.done)], Branch::decompression);
+    }
     recorder.progress("compress", total, total);
   } catch (const Error&) {
     hand_over_packing(packing, recorder);
     throw;
   }
   const double linear = 0.1 * c.compression.highest_pressure * (1 + c.jamming.window);
-  record_onset(up, "compression", packing, linear, recorder);
-  record_onset(down, "decompression", packing, linear, recorder);
-  record_packing(packing, last, recorder);
+  record_onset(walk.up, "compression", packing, linear, recorder);
+  record_onset(walk.down, "decompression", packing, linear, recorder);
+  record_packing(packing, walk.last, recorder);
 }
 
 void check_pressures(const Case& c, Problems& problems) {

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <optional>
 
 #include "supple/experiment/recorder.hpp"
 #include "supple/solve/stepper.hpp"
@@ -26,9 +25,9 @@ struct CourseRow {
   bool keeps_frame;
 };
 
-/// Takes the steps and shows `see` each row before its step. Returns the row at which the recorder asked it
-/// to stop, before the step was taken. Throws what the stepper throws.
-std::optional<std::int64_t> move(const Course& course, System<2>& system, Stepper& stepper,
-                                 Recorder& recorder, const std::function<void(const CourseRow&)>& see);
+/// Takes the steps from `row` on and shows `see` each row before its step. Each row is a safe point, which
+/// `keep` saves, with the row. Throws what the stepper throws.
+void move(const Course& course, System<2>& system, Stepper& stepper, Recorder& recorder, std::int64_t& row,
+          const Keep& keep, const std::function<void(const CourseRow&)>& see);
 
 }  // namespace supple

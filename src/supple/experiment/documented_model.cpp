@@ -1,6 +1,10 @@
 /// Suspensions of crosslinked, frictional, viscoelastic discs as documented (physics sections 1 to 7).
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "supple/core/whole_number.hpp"
 #include "supple/experiment/microgel.hpp"
@@ -57,6 +61,14 @@ std::vector<Derived> consequences(const Case& c, const InitialState* initial, co
 /// It is no function of the protocol, so that one seed is one sample.
 double typical_stress(const Case& c) { return c.material.young_modulus / 100; }
 
+/// A part of the preparation: what is done first, then a relaxation.
+struct Stage {
+  const char* phase;
+  Plates plates;
+  double friction;
+  std::function<void()> enter;
+};
+
 void prepare_documented(Suspension& s, Mover& dynamics, const Case& c, const MicrogelConstants& k,
                         Recorder& recorder) {
   recorder.declare("preparation",
@@ -67,19 +79,7 @@ void prepare_documented(Suspension& s, Mover& dynamics, const Case& c, const Mic
   const double steps = std::min(c.preparation.max_time * k.tau / spec.time_step, most_counted);
   spec.most_steps = std::max<std::int64_t>(
       1000, whole_number(steps, "steps of the preparation", "lower preparation.max_time"));
-  const auto relax_until_still = [&](const char* phase, bool rough) {
-    relax(s.system, dynamics, s.units, spec, rough, phase, recorder);
-  };
-
-  // Discs are pushed off the walls of a cell that has them, and fixed to those only when they are at rest.
-  const bool walls = !s.system.box.periodic[flow];
-  dynamics.set_plates(walls ? Plates::repulsive : Plates::none);
-  const double friction = dynamics.friction();
-  dynamics.set_friction(0);
-  relax_until_still("relax without friction", true);
-  dynamics.set_friction(friction);
-  relax_until_still("relax with friction", false);
-  if (c.particles.permanent_links) {
+  const auto link = [&] {
     dynamics.evaluate(s.system, {});
     const CrosslinkReport report =
         crosslink(s.system, crosslink_spec(c), static_cast<std::uint64_t>(c.general.seed));
@@ -87,12 +87,37 @@ void prepare_documented(Suspension& s, Mover& dynamics, const Case& c, const Mic
       recorder.value("constants", {"removed_link_fraction", "", "links removed at random"},
                      report.removed_fraction);
     dynamics.invalidate();
-    relax_until_still("relax crosslinked particles", false);
+  };
+  const bool walls = !s.system.box.periodic[flow];
+  const auto capture = [&] {
+    if (!walls) remove_drift(s.system);
+    capture_at_boundaries(s.system, plates_of(c));
+  };
+  // Discs are pushed off the walls of a cell that has them, and fixed to those only when they are at rest.
+  const Plates pushed = walls ? Plates::repulsive : Plates::none;
+  const double friction = dynamics.friction();
+  std::vector<Stage> stages{{"relax without friction", pushed, 0, [] {}},
+                            {"relax with friction", pushed, friction, [] {}}};
+  if (c.particles.permanent_links) stages.push_back({"relax crosslinked particles", pushed, friction, link});
+  stages.push_back({"relax between plates", plates_of(c), friction, capture});
+
+  int stage = 0;
+  bool entered = false;
+  RelaxationState relaxation;
+  const Keep keep = in_part(preparation_part, [&](Keeper& kept) {
+    kept("stage", stage);
+    kept("entered", entered);
+    kept("relaxation", relaxation);
+    kept("system", s.system);
+  });
+  restore(recorder, keep, preparation_part);
+  for (; stage < static_cast<int>(stages.size()); ++stage, entered = false, relaxation = {}) {
+    const Stage& now = stages[static_cast<std::size_t>(stage)];
+    dynamics.set_plates(now.plates);
+    dynamics.set_friction(now.friction);
+    if (!std::exchange(entered, true)) now.enter();
+    relax(s.system, dynamics, s.units, spec, stage == 0, now.phase, relaxation, keep, recorder);
   }
-  if (!walls) remove_drift(s.system);
-  dynamics.set_plates(plates_of(c));
-  capture_at_boundaries(s.system, plates_of(c));
-  relax_until_still("relax between plates", false);
 }
 
 Suspension make(const Case& c, const InitialState* initial, Recorder& recorder) {
@@ -106,6 +131,10 @@ Suspension make(const Case& c, const InitialState* initial, Recorder& recorder) 
   s.stepper = std::move(dynamics);
   if (initial) {
     take_state(s, c, *initial, 1);
+    return s;
+  }
+  if (resumed_part(recorder) == sheared_part) {
+    stepper.set_plates(plates_of(c));
     return s;
   }
   const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,

@@ -60,7 +60,7 @@ void run_dynamics(const Case& c, const InitialState* initial, Recorder& recorder
   const std::int64_t steps = step_count(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
   s.damping = damping_per_step(c, initial, s.time_step * s.units.time, s.damping);
-  start_clock(s.system, c);
+  start_clock(s.system, c, recorder);
   const auto rate_at = [&](double t) { return rate(t * s.units.time) * s.units.time; };
 
   recorder.begin(make_run_info(s.system, s.units));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "supple/observe/summary.hpp"
 
@@ -78,7 +79,6 @@ void EnergyTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   const KineticEnergy kinetic = kinetic_energy(system, evaluation);
   const EnergyState e = energy_state(system, evaluation);
   const EnergyFlows flows = account_.flows(system, evaluation);
-  lost_.push_back(flows.lost());
   std::vector<double> row{kinetic.translation, kinetic.spin, e.elastic, e.tangential, e.wall};
   if (has_shapes_) row.push_back(e.terms);
   row.push_back(e.total());
@@ -87,6 +87,17 @@ void EnergyTable::append(const System<2>& system, const Evaluation<2>& evaluatio
   for (double& x : row) x *= energy_;
   row.insert(row.begin(), time_ * system.time);
   recorder_.append("energy", row);
+}
+
+std::vector<double> EnergyTable::lost() const {
+  std::vector<double> sum;
+  for (const FlowColumn& c : flow_columns) {
+    if (!std::string_view(c.name).starts_with("lost_")) continue;
+    const std::vector<double> part = recorder_.column("energy", c.name);
+    sum.resize(part.size());
+    for (std::size_t k = 0; k < part.size(); ++k) sum[k] += part[k];
+  }
+  return sum;
 }
 
 void EnergyTable::finish() {

@@ -27,10 +27,15 @@ class EnergyTable {
   double relative_residual(const System<2>& system, const Evaluation<2>& evaluation) const;
   /// Adds a row; the first one opens the account. The evaluation is the stepper's at the present instant.
   void append(const System<2>& system, const Evaluation<2>& evaluation);
-  /// All energy lost up to each row [energy].
-  const std::vector<double>& lost() const { return lost_; }
+  /// All energy lost up to each row, in the units of the table.
+  std::vector<double> lost() const;
   /// Records the numbers of the account that a continuation needs.
   void finish();
+
+  void keep(Keeper& k) {
+    k("account", account_);
+    k("is_open", is_open_);
+  }
 
  private:
   Recorder& recorder_;
@@ -38,7 +43,6 @@ class EnergyTable {
   bool has_shapes_;
   EnergyBalance account_;
   bool is_open_ = false;
-  std::vector<double> lost_;
 };
 
 /// Names in protocol_group of the numbers that an account needs to go on [J/m].

@@ -13,6 +13,11 @@ class FrameSchedule {
   FrameSchedule(std::int64_t last, std::int64_t frames)
       : last_(last), intervals_(std::min(frames - 1, last)), next_(frames > 1 ? 0 : 1) {}
 
+  /// Goes on at this instant, as if all before it had been asked for.
+  void skip_to(std::int64_t instant) {
+    while (instant > at(next_)) ++next_;
+  }
+
   bool due(std::int64_t instant) {
     if (instant < at(next_)) return false;
     ++next_;

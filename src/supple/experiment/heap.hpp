@@ -20,6 +20,24 @@ struct Heap {
   WallForces walls;      ///< [weight of all particles]
   double motion = 0;     ///< kinetic energy over that of a fall of all particles by their mean diameter
   double imbalance = 0;  ///< largest net force on a particle over its weight
+
+  void keep(Keeper& k) {
+    k("time", time);
+    k("kinetic", kinetic);
+    k("potential", potential);
+    k("height", height);
+    k("front", front);
+    k("top", top);
+    k("spread", spread);
+    k("slope", slope);
+    k("left", walls.left);
+    k("right", walls.right);
+    k("floor", walls.floor);
+    k("lid", walls.lid);
+    k("drag", walls.drag);
+    k("motion", motion);
+    k("imbalance", imbalance);
+  }
 };
 
 /// Measures the heap at the instant of `evaluation`, which must hold energies. There must be gravity.

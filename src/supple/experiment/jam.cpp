@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "supple/contact/reach.hpp"
 #include "supple/core/error.hpp"
@@ -35,76 +36,165 @@ bool in_window(const JamSpec& spec, double pressure) {
 
 namespace {
 
-/// A state of the search: densities are logarithms, ln phi = -2 ln L + constant.
-struct Point {
-  System<2> system;
-  double density = 0, pressure = 0;
-  Soundness soundness;
-};
-
 class Search {
  public:
-  Search(Packing& packing, const JamSpec& spec, const JamCallback& callback)
-      : packing_(packing), spec_(spec), callback_(callback) {}
+  Search(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+         const JamCallback& callback)
+      : packing_(packing),
+        spec_(spec),
+        progress_(state.progress),
+        s_(state.line),
+        before_(before),
+        callback_(callback) {}
 
-  JamProgress run(const JamProgress& before = {}) {
-    progress_ = before;
-    const Point start{packing_.system, 0, 0, {}};
-    Point low = minimised(start.system, 0);
-    keep_sound(low, start);
-    if (low.pressure >= spec_.pressure) return descend(low, spec_.step);
-    return spec_.search == JamSearch::chapter ? halve_steps(low) : stride(low);
+  /// Each turn of the loop is one minimisation.
+  JamProgress run() {
+    for (bool found = false; !found;) {
+      if (before_) before_();
+      switch (s_.way) {
+        case Way::start: found = start(); break;
+        case Way::halve: found = halve(); break;
+        case Way::stride: found = stride(); break;
+        case Way::descend: found = descend(); break;
+        case Way::root: found = narrow(); break;
+      }
+    }
+    return progress_;
   }
 
  private:
-  static constexpr double smallest = 1e-13;
+  using Way = LineSearchState::Way;
+  using From = LineSearchState::From;
+  static constexpr double smallest = 1e-13, longest_stride = 0.02;
+  static constexpr int most_turns = 6, most_narrowed = 200;
 
-  /// The chapter's protocol.
-  JamProgress halve_steps(Point low) {
-    for (double step = spec_.step; step > smallest;) {
-      const Point next = minimised(low.system, low.density + step, low.density);
-      if (unsound(next)) {
-        if (step < 0.2 * spec_.step) keep_sound(next, low);
-        step *= 0.5;  // a smaller one may lead past
-        continue;
-      }
-      if (jammed(next)) return accept(next);
-      if (next.pressure < spec_.pressure) low = next;
-      else step *= 0.5, high_ = next;  // `low` is the state before
+  /// A state as just minimised, and whether a run may accept it.
+  struct Point : JamPoint {
+    Soundness soundness;
+  };
+
+  bool start() {
+    const JamPoint given{packing_.system, 0, 0};
+    const Point first = minimised(given, 0);
+    keep_sound(first, given);
+    s_.low = first;
+    s_.step = spec_.step;
+    if (first.pressure >= spec_.pressure) {
+      s_.high = first;
+      s_.way = Way::descend;
+      return jammed(first) && accept(first);
     }
-    throw lost(low, high_);
+    s_.way = spec_.search == JamSearch::chapter ? Way::halve : Way::stride;
+    return false;
+  }
+
+  /// The chapter's protocol: above the pressure back to the state before, `low`, with half the step.
+  bool halve() {
+    if (!(s_.step > smallest)) throw lost();
+    const Point next = minimised(*s_.low, s_.low->density + s_.step);
+    if (passes_by(next)) return false;
+    if (jammed(next)) return accept(next);
+    if (next.pressure < spec_.pressure) s_.low = next;
+    else s_.step *= 0.5, s_.high = next;
+    return false;
   }
 
   /// Steps that grow while nothing resists, and the chapter's steps where something does; then the root
   /// search.
-  JamProgress stride(Point low) {
-    for (double step = spec_.step;;) {
-      const Point next = minimised(low.system, low.density + step, low.density);
-      if (unsound(next)) {
-        if (step < 0.2 * spec_.step) keep_sound(next, low);
-        step *= 0.5;
-        continue;
-      }
-      if (jammed(next)) return accept(next);
-      if (next.pressure < spec_.pressure) {
-        low = next;
-        const bool free = next.pressure < 1e-3 * spec_.pressure;
-        step = std::clamp(free ? 1.3 * step : 0.5 * step, spec_.step, std::max(spec_.step, longest_stride));
-      } else if (step > spec_.step) {
-        step = std::max(spec_.step, 0.2 * step);
-      } else {
-        return find_root(low, next, From::below);
-      }
+  bool stride() {
+    const Point next = minimised(*s_.low, s_.low->density + s_.step);
+    if (passes_by(next)) return false;
+    if (jammed(next)) return accept(next);
+    if (next.pressure < spec_.pressure) {
+      s_.low = next;
+      const bool free = next.pressure < 1e-3 * spec_.pressure;
+      s_.step =
+          std::clamp(free ? 1.3 * s_.step : 0.5 * s_.step, spec_.step, std::max(spec_.step, longest_stride));
+    } else if (s_.step > spec_.step) {
+      s_.step = std::max(spec_.step, 0.2 * s_.step);
+    } else {
+      s_.high = next;
+      search_between(From::below);
     }
+    return false;
   }
-  static constexpr double longest_stride = 0.02;
 
-  bool jammed(const Point& p) const { return in_window(spec_, p.pressure); }
+  /// Whether the point is unsound; a smaller step may lead past such a state.
+  bool passes_by(const Point& next) {
+    if (!unsound(next)) return false;
+    if (s_.step < 0.2 * spec_.step) keep_sound(next, *s_.low);
+    s_.step *= 0.5;
+    return true;
+  }
 
-  /// The state at `density`, reached from `from` at its density.
-  Point minimised(const System<2>& from, double density, double from_density = 0) {
-    packing_.system = from;
-    const double factor = std::exp(-0.5 * (density - from_density));
+  /// From a state that is above already: down by growing steps until below.
+  bool descend() {
+    const Point next = minimised(*s_.high, s_.high->density - s_.step);
+    keep_sound(next, *s_.high);
+    if (jammed(next)) return accept(next);
+    if (next.pressure < spec_.pressure) {
+      s_.low = next;
+      search_between(From::above);
+    } else {
+      s_.high = next;
+      s_.step *= 1.5;
+    }
+    return false;
+  }
+
+  void search_between(From from) {
+    s_.way = Way::root;
+    s_.from = from;
+    s_.low_weight = s_.high_weight = 1;
+    s_.narrowed = 0;
+    turn_back_where_narrow();
+  }
+
+  /// A state between `low` and `high`, by false position on P with the weight of an end that stays halved
+  /// [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
+  bool narrow() {
+    if (++s_.narrowed > most_narrowed) throw lost();
+    const JamPoint &low = *s_.low, &high = *s_.high;
+    const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
+    const double below = s_.low_weight * (low.pressure - target),
+                 above = s_.high_weight * (high.pressure - target);
+    double share =
+        low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
+    share = std::clamp(share, 0.02, 0.98);
+    const JamPoint& start = s_.from == From::below ? low : high;
+    const Point next = minimised(start, low.density + share * width);
+    keep_sound(next, start);
+    if (jammed(next)) return accept(next);
+    if (next.pressure < spec_.pressure) {
+      s_.low = next;
+      s_.low_weight = 1;
+      s_.high_weight *= 0.5;
+    } else {
+      s_.slope = (high.pressure - next.pressure) / (high.density - next.density);
+      s_.high = next;
+      s_.high_weight = 1;
+      s_.low_weight *= 0.5;
+    }
+    turn_back_where_narrow();
+    return false;
+  }
+
+  /// Where the pressure jumps, the packing rearranges: down from the state above the jump, or up again from
+  /// the one below.
+  void turn_back_where_narrow() {
+    if (!(s_.high->density - s_.low->density < smallest)) return;
+    if (++s_.turns > most_turns) throw lost();
+    s_.slope = 0;
+    s_.way = s_.from == From::below ? Way::descend : Way::stride;
+    s_.step = s_.from == From::below ? 0.1 * spec_.step : spec_.step;
+  }
+
+  bool jammed(const JamPoint& p) const { return in_window(spec_, p.pressure); }
+
+  /// The state at `density`, reached from `from`.
+  Point minimised(const JamPoint& from, double density) {
+    packing_.system = from.system;
+    const double factor = std::exp(-0.5 * (density - from.density));
     scale_cell(packing_.system, {factor, factor});
     require_room(packing_);
     packing_.field->invalidate();
@@ -117,7 +207,7 @@ class Search {
       require_converged(packing_, progress_.last,
                         fmt::format("the state at P = {:.3g}", progress_.state.pressure));
     progress_.unconverged += progress_.last.ending == Ending::stalled;
-    Point point{packing_.system, density, below ? 0 : progress_.state.pressure, look_at(packing_)};
+    Point point{{packing_.system, density, below ? 0 : progress_.state.pressure}, look_at(packing_)};
     remember(packing_, progress_.last, point.soundness);
     if (!unsound(point) && callback_ && !callback_(progress_))
       throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
@@ -127,7 +217,7 @@ class Search {
   bool unsound(const Point& p) const { return must_stop(packing_, p.soundness); }
 
   /// Ends the search with the packing at `before` where the point is one that no run may accept.
-  void keep_sound(const Point& point, const Point& before) {
+  void keep_sound(const Point& point, const JamPoint& before) {
     if (!unsound(point)) return;
     packing_.system = before.system;
     packing_.field->invalidate();
@@ -171,80 +261,23 @@ class Search {
     return pressure * packing_.pressure_unit * diameter;
   }
 
-  JamProgress accept(const Point& p) {
+  bool accept(const JamPoint& p) {
     require_converged(packing_, progress_.last, "the jammed state");
     packing_.system = p.system;
-    return progress_;
+    return true;
   }
-
-  /// From which end of the interval a root search starts its minimisations. On the way down a packing stays
-  /// jammed at densities at which it had not jammed on the way up.
-  enum class From { below, above };
-
-  /// The search from a state that is above already: goes down by growing steps until below, then searches
-  /// between the last two, starting from the one above.
-  JamProgress descend(Point high, double first_step) {
-    if (jammed(high)) return accept(high);
-    for (double step = first_step;; step *= 1.5) {
-      const Point next = minimised(high.system, high.density - step, high.density);
-      keep_sound(next, high);
-      if (jammed(next)) return accept(next);
-      if (next.pressure < spec_.pressure) return find_root(next, high, From::above);
-      high = next;
-    }
-  }
-
-  /// A state inside the window between `low` (below) and `high` (above), by false position on P with the
-  /// weight of an end that stays halved [Dowell & Jarratt 1971], or bisection where the lower pressure says
-  /// nothing (unjammed).
-  JamProgress find_root(Point low, Point high, From from) {
-    const double target = spec_.pressure * (1 + 0.5 * spec_.window);
-    double low_weight = 1, high_weight = 1;
-    for (int k = 0; k < 200; ++k) {
-      const double width = high.density - low.density;
-      // The pressure jumps here: the packing rearranges. Come back from the other side.
-      if (width < smallest) return turn_back(low, high, from);
-      const double below = low_weight * (low.pressure - target),
-                   above = high_weight * (high.pressure - target);
-      double share =
-          low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
-      share = std::clamp(share, 0.02, 0.98);
-      const Point& start = from == From::below ? low : high;
-      const Point next = minimised(start.system, low.density + share * width, start.density);
-      keep_sound(next, start);
-      if (jammed(next)) return accept(next);
-      if (next.pressure < spec_.pressure) {
-        low = next;
-        low_weight = 1;
-        high_weight *= 0.5;
-      } else {
-        slope_ = (high.pressure - next.pressure) / (high.density - next.density);
-        high = next;
-        high_weight = 1;
-        low_weight *= 0.5;
-      }
-    }
-    throw lost(low, high);
-  }
-
-  /// After a jump: down from the state above it, or up again from the one below.
-  JamProgress turn_back(const Point& low, const Point& high, From from) {
-    if (++turns_ > most_turns) throw lost(low, high);
-    slope_ = 0;
-    return from == From::below ? descend(high, 0.1 * spec_.step) : stride(low);
-  }
-  static constexpr int most_turns = 6;
 
   /// Where the line through the last two states above meets the target, as a share of the interval; its
   /// middle before there are two.
-  double guess_from_above(const Point& low, const Point& high) const {
-    if (!(slope_ > 0)) return 0.5;
+  double guess_from_above(const JamPoint& low, const JamPoint& high) const {
+    if (!(s_.slope > 0)) return 0.5;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
-    const double share = 1 - (high.pressure - target) / slope_ / width;
+    const double share = 1 - (high.pressure - target) / s_.slope / width;
     return share > 0 && share < 1 ? share : 0.5;
   }
 
-  Error lost(const Point& low, const Point& high) {
+  Error lost() {
+    const JamPoint low = *s_.low, high = s_.high.value_or(low);
     packing_.system = low.system;
     return numerics_error(
         fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
@@ -258,22 +291,26 @@ class Search {
 
   Packing& packing_;
   const JamSpec& spec_;
+  JamProgress& progress_;
+  LineSearchState& s_;
+  const BeforeMinimisation& before_;
   const JamCallback& callback_;
-  JamProgress progress_;
-  Point high_;
-  int turns_ = 0;
-  double slope_ = 0;  ///< dP/d(ln phi) between the last two states above
 };
 
 }  // namespace
 
-JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
-  JamProgress work;
-  if (spec.search != JamSearch::pressure) return Search(packing, spec, callback).run();
-  if (jam_at_pressure(packing, spec, callback, work)) return work;
+JamProgress jam(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+                const JamCallback& callback) {
+  if (spec.search != JamSearch::pressure) return Search(packing, spec, state, before, callback).run();
+  if (jam_at_pressure(packing, spec, state, before, callback)) return state.progress;
   JamSpec root = spec;
   root.search = JamSearch::root;
-  return Search(packing, root, callback).run(work);
+  return Search(packing, root, state, before, callback).run();
+}
+
+JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
+  JamState state;
+  return jam(packing, spec, state, {}, callback);
 }
 
 }  // namespace supple

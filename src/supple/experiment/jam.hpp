@@ -1,6 +1,8 @@
 /// The search for the jammed state: protocols over a packing, whatever it is made of.
 #pragma once
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "supple/experiment/packing.hpp"
 
@@ -36,6 +38,15 @@ struct JamProgress {
   MinimiseReport last;
   long minimisations = 0, evaluations = 0, unconverged = 0;
   bool settled = true;  ///< the state is a minimum of the energy to the full tolerance
+
+  void keep(Keeper& k) {
+    k("state", state);
+    k("last", last);
+    k("minimisations", minimisations);
+    k("evaluations", evaluations);
+    k("unconverged", unconverged);
+    k("settled", settled);
+  }
 };
 /// The packing fraction that the search has reached; of a settled state the exact one, as it will be
 /// reported.
@@ -43,10 +54,96 @@ double reached_fraction(const Packing& packing, const JamProgress& progress);
 /// Called after each minimisation; returns false to stop.
 using JamCallback = std::function<bool(const JamProgress&)>;
 
+/// Called before each minimisation, where the search can go on from its state.
+using BeforeMinimisation = std::function<void()>;
+
+/// A state of the search on a line of packing fractions.
+struct JamPoint {
+  System<2> system;
+  double density = 0;  ///< ln phi + constant
+  double pressure = 0;
+
+  void keep(Keeper& k) {
+    k("system", system);
+    k("density", density);
+    k("pressure", pressure);
+  }
+};
+
+/// How far the search along the packing fraction has got (JamSearch::chapter and root).
+struct LineSearchState {
+  /// What the next minimisation is for.
+  enum class Way { start, halve, stride, descend, root };
+  /// From which end of the interval a root search starts its minimisations. On the way down a packing stays
+  /// jammed at densities at which it had not jammed on the way up.
+  enum class From { below, above };
+  Way way = Way::start;
+  std::optional<JamPoint> low, high;  ///< the last states below and above the pressure
+  double step = 0;                    ///< the next, of ln phi
+  From from = From::below;
+  double low_weight = 1, high_weight = 1;
+  int narrowed = 0, turns = 0;
+  double slope = 0;  ///< dP/d(ln phi) between the last two states above; 0: not known
+
+  void keep(Keeper& k) {
+    k("way", way);
+    k("low", low);
+    k("high", high);
+    k("step", step);
+    k("from", from);
+    k("low_weight", low_weight);
+    k("high_weight", high_weight);
+    k("narrowed", narrowed);
+    k("turns", turns);
+    k("slope", slope);
+  }
+};
+
+/// How far the search at a pressure has got (JamSearch::pressure).
+struct PressState {
+  enum class Part { approach, soften, harden, failed };
+  Part part = Part::approach;
+  std::optional<System<2>> good;   ///< in the approach: the last sound state; then where it led
+  double step = 0;                 ///< of the approach, of ln phi
+  int stage = 0;                   ///< of softened contacts
+  std::optional<double> softness;  ///< of the contacts in this stage
+  int round = 0, losses = 0;       ///< of hardened contacts
+  int pressed = 0;                 ///< minima of the enthalpy in this stage or round
+  bool is_pressed = false;         ///< whether the last of them was found
+  double ratio = 1;                ///< of the pressure of all forces to the one wanted
+
+  void keep(Keeper& k) {
+    k("part", part);
+    k("good", good);
+    k("step", step);
+    k("stage", stage);
+    k("softness", softness);
+    k("round", round);
+    k("losses", losses);
+    k("pressed", pressed);
+    k("is_pressed", is_pressed);
+    k("ratio", ratio);
+  }
+};
+
+/// How far a search has got: with the packing all that it needs to go on.
+struct JamState {
+  JamProgress progress;
+  PressState press;
+  LineSearchState line;
+
+  std::int64_t minimisations() const { return progress.minimisations; }
+  void keep(Keeper& k) {
+    k("progress", progress);
+    k("press", press);
+    k("line", line);
+  }
+};
+
 /// Searches by minima of the enthalpy (JamSearch::pressure). False if these do not lead to a packing in the
 /// window; the packing is then where its particles first pressed on each other.
-bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback,
-                     JamProgress& progress);
+bool jam_at_pressure(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+                     const JamCallback& callback);
 
 /// Whether 1 < pressure/spec.pressure < 1 + spec.window.
 bool in_window(const JamSpec& spec, double pressure);
@@ -62,5 +159,8 @@ void require_room(const Packing& packing);
 /// the user stops a minimisation (the packing is at `relaxed`), and an input error where the cell gets too
 /// small for its particles.
 JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback = {});
+/// The same from where `state` says that the search is.
+JamProgress jam(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+                const JamCallback& callback);
 
 }  // namespace supple

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/jam.hpp"
@@ -34,28 +35,44 @@ constexpr Stage stages[] = {{1e-3, 5}, {1e-2, 1}};
 
 class Press {
  public:
-  Press(Packing& packing, const JamSpec& spec, const JamCallback& callback, JamProgress& progress)
-      : packing_(packing), spec_(spec), callback_(callback), progress_(progress) {}
+  Press(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+        const JamCallback& callback)
+      : packing_(packing),
+        spec_(spec),
+        progress_(state.progress),
+        s_(state.press),
+        before_(before),
+        callback_(callback) {}
 
   bool run() {
-    approach();
-    const System<2> approached = packing_.system;
+    if (s_.part == Part::failed) return false;
+    if (s_.part == Part::approach) {
+      approach();
+      s_.good = packing_.system;
+      s_.part = Part::soften;
+    }
     const auto go_back = [&] {
-      packing_.system = approached;
+      packing_.system = *s_.good;
       packing_.field->invalidate();
     };
     try {
-      soften();
-      if (!must_stop(packing_, look_at(packing_)) && harden()) return true;
+      if (s_.part == Part::soften) {
+        soften();
+        s_.part = must_stop(packing_, look_at(packing_)) ? Part::failed : Part::harden;
+      }
+      if (s_.part == Part::harden && harden()) return true;
     } catch (const Error&) {
       if (!progress_.settled) go_back();  // or the state handed over would be one of softened contacts
       throw;
     }
     go_back();
+    s_.good.reset();
+    s_.part = Part::failed;
     return false;
   }
 
  private:
+  using Part = PressState::Part;
   static constexpr int most_rounds = 20;
   static constexpr double longest_stride = 0.02;
   /// How far a contact may yield under the force that one particle bears [contact distance]. Vertices pass
@@ -67,10 +84,11 @@ class Press {
     const auto& shapes = packing_.system.shape.stiffness;
     const auto bears = [](const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0; };
     if (std::none_of(shapes.begin(), shapes.end(), bears)) return;
-    for (const Stage& stage : stages) {
-      const double share = std::max(stage.stiffness, stiffness_needed(stage.pressure));
-      if (share >= 1) continue;
-      const Softened soft(*packing_.field->bodies(), share);
+    for (; s_.stage < static_cast<int>(std::size(stages)); ++s_.stage, s_.softness.reset(), s_.pressed = 0) {
+      const Stage& stage = stages[s_.stage];
+      if (!s_.softness) s_.softness = std::max(stage.stiffness, stiffness_needed(stage.pressure));
+      if (*s_.softness >= 1) continue;
+      const Softened soft(*packing_.field->bodies(), *s_.softness);
       press(stage.pressure, coarse_tolerance());
     }
   }
@@ -78,8 +96,10 @@ class Press {
   /// Minimises with contacts as they are. True once the pressure is in the window; false if it is lost
   /// repeatedly.
   bool harden() {
-    for (int k = 0, losses = 0; k < most_rounds && losses < 2; ++k) {
-      press(1, k < 3 ? coarse_tolerance() : packing_.tolerance);
+    for (; s_.round < most_rounds && s_.losses < 2; ++s_.round, s_.is_pressed = false, s_.pressed = 0) {
+      if (!s_.is_pressed) press(1, s_.round < 3 ? coarse_tolerance() : packing_.tolerance);
+      s_.is_pressed = true;
+      begin();
       const MinimiseReport report = relax(packing_);
       if (report.ending == Ending::exhausted) require_converged(packing_, report, "the hardened packing");
       progress_.unconverged += !report.converged;
@@ -88,7 +108,7 @@ class Press {
       remember(packing_, report, soundness);
       count(report, report.converged);
       if (report.converged && in_window(spec_, progress_.state.pressure)) return true;
-      losses += progress_.state.pressure < 0.1 * spec_.pressure;
+      s_.losses += progress_.state.pressure < 0.1 * spec_.pressure;
     }
     return false;
   }
@@ -122,23 +142,28 @@ class Press {
   /// Shrinks the cell for as long as particles get out of each other's way at once.
   void approach() {
     const long most = packing_.minimise.max_evaluations;
-    System<2> good = packing_.system;
-    for (double step = spec_.step;; step = std::min(1.3 * step, std::max(spec_.step, longest_stride))) {
+    if (s_.step == 0) {
+      s_.step = spec_.step;
+      s_.good = packing_.system;
+    }
+    for (;;) {
+      begin();
       packing_.minimise.max_evaluations = std::min(most, 500L);
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
       const Soundness soundness = look_at(packing_);
       remember(packing_, report, soundness);
       if (must_stop(packing_, soundness)) {  // the root search, with its smaller steps, shall look for a way
-        packing_.system = good;
+        packing_.system = *s_.good;
         packing_.field->invalidate();
         return;
       }
-      good = packing_.system;
+      s_.good = packing_.system;
       count(report, report.converged);
       if (progress_.state.pressure > (report.converged ? 0.1 : stages[0].pressure) * spec_.pressure) return;
-      const double factor = std::exp(-0.5 * step);
+      const double factor = std::exp(-0.5 * s_.step);
       scale_cell(packing_.system, {factor, factor});
+      s_.step = std::min(1.3 * s_.step, std::max(spec_.step, longest_stride));
       require_room(packing_);
       packing_.field->invalidate();
     }
@@ -146,8 +171,10 @@ class Press {
 
   /// Goes to a minimum of the enthalpy at `times` the wanted pressure.
   void press(double times, const ForceTolerance& tolerance) {
-    for (int k = 0; k < most_rounds; ++k) {
-      const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = ratio_,
+    while (s_.pressed < most_rounds) {
+      begin();
+      const int k = s_.pressed;
+      const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = s_.ratio,
                    length = packing_.system.box.length[0];
       packing_.field->invalidate();
       CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false},
@@ -157,7 +184,7 @@ class Press {
       // all forces: a new one is made where either has changed.
       const auto watch = [&](const MinimiseReport&) {
         if (k < 2) learn_ratio(ratio * wanted);
-        return std::abs(ratio_ - ratio) < 0.3 * ratio &&
+        return std::abs(s_.ratio - ratio) < 0.3 * ratio &&
                std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
       };
       const MinimiseReport report = minimise(objective, x, packing_.minimise, watch);
@@ -166,6 +193,7 @@ class Press {
         require_converged(packing_, report, "the cell at constant pressure");
       require_room(packing_);
       learn_ratio(ratio * wanted);
+      ++s_.pressed;
       count(report, false);
       if (report.ending != Ending::stopped) break;
     }
@@ -178,7 +206,11 @@ class Press {
     const PackingState s = observe(packing_);
     const bool balanced = std::abs(s.full_pressure - pressure) < 0.1 * pressure;
     if (balanced && s.contact_pressure > 0)
-      ratio_ = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
+      s_.ratio = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
+  }
+
+  void begin() {
+    if (before_) before_();
   }
 
   void count(const MinimiseReport& report, bool settled) {
@@ -193,16 +225,17 @@ class Press {
 
   Packing& packing_;
   const JamSpec& spec_;
-  const JamCallback& callback_;
   JamProgress& progress_;
-  double ratio_ = 1;  ///< of the pressure of all forces to the one wanted
+  PressState& s_;
+  const BeforeMinimisation& before_;
+  const JamCallback& callback_;
 };
 
 }  // namespace
 
-bool jam_at_pressure(Packing& packing, const JamSpec& spec, const JamCallback& callback,
-                     JamProgress& progress) {
-  return Press(packing, spec, callback, progress).run();
+bool jam_at_pressure(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
+                     const JamCallback& callback) {
+  return Press(packing, spec, state, before, callback).run();
 }
 
 }  // namespace supple

@@ -48,18 +48,26 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
        [&](const P&) { return static_cast<double>(look_at(packing).bodies()); }}};
   observables.declare("packing", recorder);
   WayToJam way(c.jamming.pressure);
+  JamState state;
+  const Keep keep = [&](Keeper& k) {
+    k("packing", packing);
+    k("jam", state);
+  };
+  restore(recorder, keep);
   const auto watch = [&](const JamProgress& p) {
     if (p.settled) observables.append("packing", p, recorder);
     recorder.progress(
         fmt::format("jam: phi = {:.4f}, P = {:.2e}", reached_fraction(packing, p), p.state.pressure),
         static_cast<std::int64_t>(999 * way.share(p)), 1000);
-    return !recorder.stop_requested();
+    return true;
   };
   try {
     JamSpec spec = jam_spec(c);
     if (initial && spec.search == JamSearch::pressure)
       spec.search = JamSearch::root;  // soft contacts would rearrange it
-    const JamProgress end = jam(packing, spec, watch);
+    const JamProgress end = jam(
+        packing, spec, state, [&] { recorder.hold(keep, "after minimisation", state.minimisations()); },
+        watch);
     recorder.progress("jam", 1000, 1000);
     record_packing(packing, end, recorder);
   } catch (const Error&) {

@@ -14,6 +14,12 @@ std::vector<double> MemoryRecorder::Table::column(const std::string& name) const
   return out;
 }
 
+std::vector<double> MemoryRecorder::column(const std::string& table, const std::string& name) {
+  const auto at = tables.find(table);
+  if (at == tables.end()) throw input_error("no table '" + table + "'");
+  return at->second.column(name);
+}
+
 double MemoryRecorder::get(const std::string& group, const std::string& name) const {
   if (const auto at = values.find(group); at != values.end())
     for (const Value& v : at->second)

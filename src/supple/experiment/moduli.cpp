@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "supple/observe/summary.hpp"
@@ -16,10 +15,6 @@ namespace {
 constexpr double apart = 0.3;        // of the larger modulus
 constexpr double relevant = 0.05;    // of |G*|: below it a difference is one of noise
 constexpr double told_drift = 0.02;  // of |G*|, change over the measured cycles
-
-double mean(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-}
 
 double size(const Estimate& e) { return std::hypot(e.found.storage.value, e.found.loss.value); }
 
@@ -61,6 +56,14 @@ Gap gap_of(const System<2>& system, const Units& units) {
   return {system.box.length[gradient] * units.length, mass / system.box.volume() * units.density()};
 }
 
+std::optional<Protocol> whole_cycles(Protocol protocol, const std::vector<double>& time) {
+  if (time.empty()) return std::nullopt;
+  const double sheared = time.back() * protocol.frequency - protocol.pre;
+  protocol.periods = std::min(protocol.periods, std::floor(sheared + 1e-9));
+  protocol.post = 0;
+  return protocol.periods >= 1 ? std::optional(protocol) : std::nullopt;
+}
+
 Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, Demodulator demodulator,
                             Recorder& recorder) {
   const Demodulation d = demodulate(s.time, s.stress, protocol, demodulator);
@@ -82,23 +85,20 @@ Demodulation record_modulus(const StressSeries& s, const Protocol& protocol, Dem
 
 void record_moduli(const StressTable& table, const Protocol& protocol, Demodulator demodulator,
                    const Gap& gap, Recorder& recorder) {
-  const auto record = [&](const std::string& name, const std::vector<double>& stress,
-                          const std::string& meaning) {
-    return Estimate{
-        name, "Pa",
-        record_modulus({name, meaning, "Pa", table.time(), stress}, protocol, demodulator, recorder)};
+  const std::vector<double> time = table.column("t");
+  const auto record = [&](const std::string& name, const std::string& meaning) {
+    return Estimate{name, "Pa",
+                    record_modulus({name, meaning, "Pa", time, table.column("shear_stress_" + name)},
+                                   protocol, demodulator, recorder)};
   };
-  const bool plated = !table.plates().empty();
+  const bool plated = table.has_plates();
   std::vector<Estimate> first;
-  if (plated)
-    first.push_back(record("plates", table.plates(), "the force of the plates over the width of the cell"));
-  first.push_back(record("virial", table.virial(), "the virial of all contacts"));
-  record("periodic", table.periodic(), "Love-Weber with contacts across x internal");
-  const Estimate internal =
-      record("internal", table.internal(), "the overall stress tensor (S1-24), as published");
-  const Estimate external = record("external", table.external(), "external forces (S1-16), as published");
-  const Estimate corrected = record("external_corrected", table.external_corrected(),
-                                    "external forces without the jumps of the cut");
+  if (plated) first.push_back(record("plates", "the force of the plates over the width of the cell"));
+  first.push_back(record("virial", "the virial of all contacts"));
+  record("periodic", "Love-Weber with contacts across x internal");
+  const Estimate internal = record("internal", "the overall stress tensor (S1-24), as published");
+  const Estimate external = record("external", "external forces (S1-16), as published");
+  const Estimate corrected = record("external_corrected", "external forces without the jumps of the cut");
   recorder.value("results", {"cycles", "", "whole cycles of shear that were demodulated"},
                  first.front().found.cycles);
   const double waves = gap.wavelengths(first.back().found.storage.value, protocol.frequency);
@@ -107,7 +107,7 @@ void record_moduli(const StressTable& table, const Protocol& protocol, Demodulat
                  waves);
   recorder.value("results",
                  {"mean_normal_stress", "Pa", "mean of (xx + yy)/2 of the overall tensor over the protocol"},
-                 mean(table.pressure()));
+                 table.mean_pressure());
 
   if (plated)
     warn_if_apart(first[0], first[1],

@@ -1,5 +1,7 @@
 /// Results of an oscillatory run: moduli by every estimator, contacts, pressure.
 #pragma once
+#include <optional>
+
 #include "supple/experiment/stress_table.hpp"
 #include "supple/observe/demodulate.hpp"
 
@@ -21,13 +23,16 @@ inline constexpr double short_wavelength = 1.5;
 /// A series of stresses, and which stress it is.
 struct StressSeries {
   std::string name, meaning, unit;
-  const std::vector<double>& time;
-  const std::vector<double>& stress;
+  std::vector<double> time, stress;
 };
 /// Values in the group "results": storage_modulus_NAME, loss_modulus_NAME, their changes from cycle to cycle,
 /// and the harmonics.
 Demodulation record_modulus(const StressSeries& series, const Protocol& protocol, Demodulator demodulator,
                             Recorder& recorder);
+
+/// The spans of a run that was stopped after these times, with the whole cycles that it has; nullopt where it
+/// has none.
+std::optional<Protocol> whole_cycles(Protocol protocol, const std::vector<double>& time);
 
 /// The moduli from one of several stresses of the same sample.
 struct Estimate {

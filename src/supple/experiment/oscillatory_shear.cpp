@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "supple/core/error.hpp"
 #include "supple/core/whole_number.hpp"
@@ -31,24 +30,28 @@ std::vector<Derived> derive_oscillatory_shear(const Case& c, const InitialState*
 }
 
 void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder& recorder) {
-  const std::clock_t start = std::clock();
   const ShearProtocol protocol = suspension_model(c).protocol(c, initial);
   Suspension s = make_suspension(c, initial, recorder);
-  s.system.time = 0;
-  s.system.step = 0;
+  if (resumed_part(recorder) != sheared_part) s.system.time = 0, s.system.step = 0;
   recorder.begin(make_run_info(s.system, s.units));
   s.time_step = protocol.time_step;
   s.damping = protocol.damping;
   record_constants(s, initial, derive_oscillatory_shear(c, initial), recorder);
 
   ShearedSuspension sheared(c, initial, s, recorder);
-  sheared.move({"oscillatory shear", protocol.steps, protocol.rows,
-                std::max(c.output.images, c.output.frames), s.time_step, s.damping, protocol.rates});
+  try {
+    sheared.move({"oscillatory shear", protocol.steps, protocol.rows,
+                  std::max(c.output.images, c.output.frames), s.time_step, s.damping, protocol.rates});
+  } catch (const Error& e) {
+    if (const auto cycles = whole_cycles(protocol.windows, sheared.table().column("t"));
+        cycles && e.kind() == ErrorKind::interrupted)
+      record_moduli(sheared.table(), *cycles, protocol.demodulator, gap_of(s.system, s.units), recorder);
+    throw;
+  }
   const Evaluation<2>& last = sheared.finish({});
   record_moduli(sheared.table(), protocol.windows, protocol.demodulator, gap_of(s.system, s.units), recorder);
   record_counts(s.system, last, recorder);
-  recorder.value("results", {"cpu_time", "s", "processor time of the run"},
-                 static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  recorder.value("results", {"cpu_time", "s", "processor time of the run"}, recorder.cpu_time());
 }
 
 void check_boundary(const Case& c, Problems& problems) {

@@ -24,6 +24,31 @@
 
 namespace supple {
 
+void keep(Keeper& k, MinimiseReport& report) {
+  k("converged", report.converged);
+  k("ending", report.ending);
+  k("evaluations", report.evaluations);
+  k("iterations", report.iterations);
+  k("factorisations", report.factorisations);
+  k("energy", report.energy);
+  k("residual", report.residual);
+  k("tolerance", report.tolerance);
+  k("reason", report.reason);
+}
+
+void Packing::keep(Keeper& k) {
+  k("system", system);
+  k("pressure_unit", pressure_unit);
+  k("pressure_symbol", pressure_symbol);
+  k("relative_tolerance", tolerance.relative);
+  k("least_tolerance", tolerance.least);
+  k("covered_area", covered_area);
+  k("shape_area", shape_area);
+  k("cell", cell);
+  k("relaxed", relaxed);
+  if (k.restores()) field->invalidate();
+}
+
 namespace {
 
 Harmonic springs_of(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }

@@ -8,6 +8,7 @@
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/initial_state.hpp"
 #include "supple/force/force_field.hpp"
+#include "supple/model/kept.hpp"
 #include "supple/observe/packing_fraction.hpp"
 #include "supple/solve/body_objective.hpp"
 #include "supple/solve/minimise.hpp"
@@ -15,6 +16,9 @@
 namespace supple {
 
 struct Soundness;
+
+/// Numbers of reports and progress that checkpoints keep.
+void keep(Keeper& k, MinimiseReport& report);
 
 /// What a run does when particles get into each other (contact.unsound): it stops, or marks the state and
 /// goes on.
@@ -35,6 +39,9 @@ struct Packing {
   OnUnsound on_unsound = OnUnsound::stop;
   Box<2> cell;                       ///< at first: that of the system, except for particles set apart
   std::optional<System<2>> relaxed;  ///< the last sound state in equilibrium: remember()
+
+  /// All that a case does not say, for a packing that was made from the same case.
+  void keep(Keeper& k);
 };
 
 /// Where the particles that a case makes are put.
@@ -83,6 +90,15 @@ struct PackingState {
          full_pressure = 0;  ///< pressures in pressure_unit
   Mat2 stress;               ///< in pressure_unit
   double energy = 0;
+
+  void keep(Keeper& k) {
+    k("packing_fraction", packing_fraction);
+    k("pressure", pressure);
+    k("contact_pressure", contact_pressure);
+    k("full_pressure", full_pressure);
+    k("stress", stress);
+    k("energy", energy);
+  }
 };
 
 /// Minimises the energy in the present cell. Where it does not converge the report says so; this is no error.

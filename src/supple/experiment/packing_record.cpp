@@ -81,6 +81,7 @@ std::vector<Derived> derived_equilibria(const Packing& packing) {
 
 void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
+  if (recorder.began()) return;
   recorder.begin(make_run_info(packing.system, reduced_units()));
   for (const Derived& d : constants) recorder.value("constants", d.name, d.value);
   const Harmonic law = packing.field->bodies()->laws().common().scale();

@@ -10,9 +10,11 @@
 
 namespace supple {
 
-/// How packings are made: to derive numbers from them, and to run.
+/// How packings are made: to derive numbers from them, and to run. Particles of a run that goes on find their
+/// places in its checkpoint.
 inline const Making set_apart{Places::apart, {}, Flow::stopped};
-inline Making at_random(const Recorder& recorder) {
+inline Making at_random(Recorder& recorder) {
+  if (recorder.resumed()) return set_apart;
   return {Places::random, [&recorder] { return recorder.stop_requested(); }, Flow::stopped};
 }
 
@@ -21,8 +23,8 @@ std::vector<Derived> derived_packing(const Packing& packing);
 /// The same for experiments that minimise, with the tolerances of equilibrium.
 std::vector<Derived> derived_equilibria(const Packing& packing);
 
-/// Begins the run: records sizes, bodies and constants. From then on minimisations of the packing stop when
-/// the recorder asks for it.
+/// Begins the run, if it has not begun: records sizes, bodies and constants. From then on minimisations of
+/// the packing stop when the recorder asks for it.
 void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
 
 /// Everything that is recorded of a packing at one instant.

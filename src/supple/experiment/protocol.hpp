@@ -17,6 +17,15 @@ struct OscillatoryProtocol {
   double frequency = 1;  ///< [1/time]
   std::int64_t steps_per_period = 1000, pre_steps = 2000, shear_steps = 3000, post_steps = 1000;
 
+  void keep(Keeper& k) {
+    k("amplitude", amplitude);
+    k("frequency", frequency);
+    k("steps_per_period", steps_per_period);
+    k("pre_steps", pre_steps);
+    k("shear_steps", shear_steps);
+    k("post_steps", post_steps);
+  }
+
   double time_step() const { return 1 / (frequency * static_cast<double>(steps_per_period)); }
   std::int64_t steps() const { return pre_steps + shear_steps + post_steps; }
   double periods(std::int64_t n) const {

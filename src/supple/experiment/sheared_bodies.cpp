@@ -5,6 +5,7 @@
 #include "supple/core/error.hpp"
 #include "supple/experiment/body_rheology.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/experiment/suspension.hpp"
 
 namespace supple {
 
@@ -25,7 +26,12 @@ Making sheared(Making making) {
   return making;
 }
 
+void restore_sheared(Packing& packing, const Recorder& recorder) {
+  if (resumed_part(recorder) == sheared_part) Keeper::restoring (*recorder.resumed())("packing", packing);
+}
+
 void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
+  if (resumed_part(recorder) == sheared_part) return;
   if (c.particles.permanent_links && packing.system.links.empty())
     recorder.value("results", {"clusters", "", "clusters of particles that links hold together"},
                    crosslink_bodies(c, packing));
@@ -60,18 +66,33 @@ ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing
   dynamics_.set_plates(plates_of_bodies(c));
 }
 
-void ShearedBodies::move(const Course& course) {
+void ShearedBodies::move(const Course& course, const Keep& more) {
   LastGood good(packing_);
+  const Keep keep = in_part(sheared_part, [&](Keeper& k) {
+    k("row", row_);
+    k("packing", packing_);
+    k("good", good);
+    k("stress", table_);
+    k("energy", energies_);
+    more(k);
+  });
+  restore(recorder_, keep, sheared_part);
+  const auto append = [&](const Evaluation<2>& evaluation, double rate) {
+    table_.append(evaluation, rate);
+    energies_.append(packing_.system, evaluation);
+  };
   try {
     const auto see = [&](const CourseRow& now) {
       if (now.keeps_frame || now.row % look_interval(course.steps) == 0) good.look();
-      table_.append(now.evaluation, now.rates.now);
-      energies_.append(packing_.system, now.evaluation);
+      append(now.evaluation, now.rates.now);
       if (now.keeps_frame) recorder_.frame(sheared_frame(packing_, dynamics_, now.rates.now));
     };
-    if (const auto stopped = supple::move(course, packing_.system, dynamics_, recorder_, see))
-      throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(*stopped));
-  } catch (const Error&) {
+    supple::move(course, packing_.system, dynamics_, recorder_, row_, keep, see);
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::interrupted) {  // a row of the last instant
+      const ShearRates rates = course.rates(row_, packing_.system.time);
+      append(dynamics_.evaluate_energies(packing_.system, rates), rates.now);
+    }
     energies_.finish();
     hand_over(packing_, recorder_);
     throw;

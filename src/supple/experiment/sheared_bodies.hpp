@@ -16,8 +16,11 @@ Making sheared(Making making);
 /// The plates of the case; input error where they would repel.
 Plates plates_of_bodies(const Case& c);
 
+/// Takes the particles from the checkpoint of a run that goes on and was sheared already.
+void restore_sheared(Packing& packing, const Recorder& recorder);
+
 /// Links the particles if the case asks for it and they are not linked yet; records the numbers of links and
-/// clusters.
+/// clusters. A run that goes on has done so.
 void link_packing(const Case& c, Packing& packing, Recorder& recorder);
 
 /// A packing in motion in a sheared cell, with its laws, its tables and its account of energy.
@@ -26,10 +29,12 @@ class ShearedBodies {
   ShearedBodies(const Case& c, const InitialState* initial, Packing& packing, Recorder& recorder);
 
   const BodyStressTable& table() const { return table_; }
-  const std::vector<double>& lost() const { return energies_.lost(); }
+  /// All energy lost up to each row.
+  std::vector<double> lost() const { return energies_.lost(); }
 
-  /// A row of the tables at every row of the course. Hands over the last good state where it stops.
-  void move(const Course& course);
+  /// A row of the tables at every row of the course, from the first, or that of the run that goes on. `more`
+  /// saves what else the experiment needs. Hands over the last good state where it stops.
+  void move(const Course& course, const Keep& more);
 
   /// Records the results of the account, and the packing at the end.
   void finish();
@@ -40,6 +45,7 @@ class ShearedBodies {
   Mover dynamics_;
   BodyStressTable table_;
   EnergyTable energies_;
+  std::int64_t row_ = 0;
 };
 
 /// The experiment `dynamics` of deformable particles where the case has a shear rate.

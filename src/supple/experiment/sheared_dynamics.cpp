@@ -28,11 +28,17 @@ std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* 
 
 void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(at_random(recorder)));
+  restore_sheared(packing, recorder);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const BodyLaws laws = body_laws(c, packing);
-  const double dt = sheared_body_step(c, laws, packing);
-  start_clock(packing.system, c);
-  const double begin = packing.system.time;
+  double dt = sheared_body_step(c, laws, packing);
+  start_clock(packing.system, c, recorder);
+  double begin = packing.system.time;
+  const Keep more = [&](Keeper& k) {
+    k("dt", dt);
+    k("begin", begin);
+  };
+  restore(recorder, more, sheared_part);
   add_rheology(laws, packing);
   begin_packing(packing, derived_dynamics(c, packing, laws), recorder);
   link_packing(c, packing, recorder);
@@ -42,7 +48,8 @@ void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& 
                [&](std::int64_t step, double) {
                  const double t = begin + static_cast<double>(step) * dt;
                  return ShearRates{rate(t), step < c.time.steps ? rate(t + 0.5 * dt) : rate(t)};
-               }});
+               }},
+              more);
   bodies.finish();
 }
 

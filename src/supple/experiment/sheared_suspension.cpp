@@ -22,10 +22,26 @@ void ShearedSuspension::move(const Course& course) {
     if (energies_) energies_->append(s.system, now.evaluation);
     if (now.keeps_frame) recorder_.frame(frame_of(s, now.evaluation, now.rates));
   };
-  const auto stopped = supple::move(course, s.system, *s.stepper, recorder_, see);
-  if (!stopped) return;
-  finish(course.rates(*stopped, s.system.time));
-  throw Error(ErrorKind::interrupted, "interrupted at step " + std::to_string(*stopped));
+  const Keep keeps = in_part(sheared_part, [this](Keeper& k) { keep(k); });
+  restore(recorder_, keeps, sheared_part);
+  try {
+    supple::move(course, s.system, *s.stepper, recorder_, row_, keeps, see);
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::interrupted) {
+      const ShearRates rates = course.rates(row_, s.system.time);
+      see({row_, s.stepper->evaluate_energies(s.system, rates), rates, false});  // a row of the last instant
+      finish(rates);
+    }
+    throw;
+  }
+}
+
+void ShearedSuspension::keep(Keeper& k) {
+  k("row", row_);
+  k("system", suspension_.system);
+  suspension_.stepper->keep(k);
+  k("stress", table_);
+  if (energies_) k("energy", *energies_);
 }
 
 const Evaluation<2>& ShearedSuspension::finish(ShearRates rates) {

@@ -98,34 +98,56 @@ class MovingHeap {
     per_row_ = std::max<std::int64_t>(1, total / 1000);
     per_frame_ = std::max<std::int64_t>(1, total / c.output.frames);
     heap_observables().declare("motion", recorder_);
-    append();
   }
 
+  /// From the first step on, or from where the run was that goes on.
+  void run() {
+    if (!restore(recorder_, keeps_)) append();
+    stand_walls();
+    if (!spreads_) {
+      move("settle", case_.slump.settle_time);
+      record("settled_", " before the wall is taken away");
+      take_right_wall_away();
+    }
+    move("spread", case_.slump.spread_time);
+    record("", "");
+    finish();
+  }
+
+  /// The state as it is, for a run that ends early.
+  void leave() { hand_over(packing_, recorder_); }
+
+ private:
   /// Until the particles are at rest, or the time is over.
   void move(const std::string& phase, double time) {
     const std::int64_t steps = steps_of(case_, time, dt_),
                        least = steps_of(case_, std::min(time, time_to_start), dt_);
-    std::int64_t i = 0;
-    for (; i < steps; ++i) {
-      if (i % look_interval(steps) == 0) good_.look();
-      if (i % per_frame_ == 0) take_frame();
+    for (; step_ < steps; ++step_) {
+      recorder_.safe_point(keeps_, "at step", packing_.system.step);
+      if (step_ % look_interval(steps) == 0) good_.look();
+      if (step_ % per_frame_ == 0) take_frame();
       dynamics_.advance(packing_.system, dt_);
-      if (i % 256 == 0) recorder_.progress(phase, i, steps);
-      if (recorder_.stop_requested())
-        throw Error(ErrorKind::interrupted, fmt::format("interrupted after step {}", packing_.system.step));
-      if ((i + 1) % per_row_ != 0) continue;
+      if (step_ % 256 == 0) recorder_.progress(phase, step_, steps);
+      if ((step_ + 1) % per_row_ != 0) continue;
       append();
-      if (i >= least && is_at_rest(heap_, case_.slump.rest)) break;
+      if (step_ >= least && is_at_rest(heap_, case_.slump.rest)) break;
     }
-    recorder_.progress(phase, i, i);
+    recorder_.progress(phase, step_, step_);
     append();
+  }
+
+  /// Walls as they are before or after the right one is taken away.
+  void stand_walls() {
+    packing_.field->set_walls(open_box(case_, !spreads_));
+    dynamics_.forces().set_walls(open_box(case_, !spreads_));
   }
 
   void take_right_wall_away() {
     packing_.system.box.length[gradient] = 1.05 * heap_.top;  // without a lid the height is for pictures
     take_frame();
-    packing_.field->set_walls(open_box(case_, false));
-    dynamics_.forces().set_walls(open_box(case_, false));
+    spreads_ = true;
+    step_ = 0;
+    stand_walls();
     packing_.system.box.length[flow] *= 1.2;  // and from now on the width
   }
 
@@ -143,16 +165,12 @@ class MovingHeap {
                       when, heap_.motion, heap_.imbalance));
   }
 
-  /// The state as it is, for a run that ends early.
-  void leave() { hand_over(packing_, recorder_); }
-
   void finish() {
     good_.look();
     widen_box();
     record_packing(packing_, {}, recorder_, Surroundings::open);
   }
 
- private:
   /// Time before which a heap does not count as at rest, as even one about to fall hardly moves at first
   /// [sqrt(1/gravity)].
   static constexpr double time_to_start = 10;
@@ -185,6 +203,19 @@ class MovingHeap {
   std::int64_t per_row_ = 1, per_frame_ = 1;
   std::optional<std::int64_t> last_row_;
   Heap heap_;
+  bool spreads_ = false;   ///< the right wall is gone
+  std::int64_t step_ = 0;  ///< since it is, or since the start
+  const Keep keeps_ = [this](Keeper& k) {
+    k("packing", packing_);
+    k("good", good_);
+    k("dt", dt_);
+    k("per_row", per_row_);
+    k("per_frame", per_frame_);
+    k("last_row", last_row_);
+    k("heap", heap_);
+    k("spreads", spreads_);
+    k("step", step_);
+  };
 };
 
 std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
@@ -211,12 +242,7 @@ void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
   begin_packing(packing, derived_slump(c, packing), recorder);
   MovingHeap heap(c, std::move(packing), recorder);
   try {
-    heap.move("settle", c.slump.settle_time);
-    heap.record("settled_", " before the wall is taken away");
-    heap.take_right_wall_away();
-    heap.move("spread", c.slump.spread_time);
-    heap.record("", "");
-    heap.finish();
+    heap.run();
   } catch (const Error&) {
     heap.leave();
     throw;

@@ -28,9 +28,14 @@ class LastGood {
  public:
   explicit LastGood(Packing& packing) : packing_(packing), good_(packing.system) {}
 
+  /// Takes the present state as good without a look.
+  void trust() { good_ = packing_.system; }
+
   /// Looks at the packing and keeps its state. Where the run must stop, puts the packing back to the last
   /// good state and throws unsound_error.
   Soundness look();
+
+  void keep(Keeper& k) { k("good", good_); }
 
  private:
   Packing& packing_;

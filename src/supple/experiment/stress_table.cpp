@@ -65,7 +65,7 @@ StressTable::StressTable(Recorder& recorder, const Units& units, bool tensors, c
     : recorder_(recorder),
       units_(units),
       tensors_(tensors),
-      has_plates_(has_plates(system.state)),
+      has_plates_(supple::has_plates(system.state)),
       jumps_(removed_before(initial)) {
   recorder_.declare("stress", columns(tensors, has_plates_));
 }
@@ -84,23 +84,15 @@ void StressTable::append(const System<2>& system, const Evaluation<2>& evaluatio
           s.shear_virial(),
           static_cast<double>(s.pair_register),
           static_cast<double>(s.external_register)};
-  if (has_plates_) {
-    row_.push_back(s.plates);
-    plates_.push_back(s.plates);
-  }
+  if (has_plates_) row_.push_back(s.plates);
   if (tensors_)
     for (const auto& [name, tensor] : tensor_columns) {
       const Mat2& m = s.*tensor;
       row_.insert(row_.end(), {m[0][0], m[0][1], m[1][0], m[1][1]});
     }
   recorder_.append("stress", row_);
-  time_.push_back(t);
-  internal_.push_back(s.shear_internal());
-  external_.push_back(s.shear_external());
-  external_corrected_.push_back(corrected);
-  periodic_.push_back(s.shear_periodic());
-  virial_.push_back(s.shear_virial());
-  pressure_.push_back(s.pressure());
+  pressure_sum_ += s.pressure();
+  ++rows_;
 }
 
 void StressTable::finish(const System<2>& system, const Evaluation<2>& evaluation) {

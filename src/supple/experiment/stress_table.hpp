@@ -1,5 +1,7 @@
 /// The table "stress": one row per step, at the instant of the forces.
 #pragma once
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "supple/experiment/initial_state.hpp"
@@ -9,7 +11,7 @@
 
 namespace supple {
 
-/// Declares and fills the table; stresses in Pa, times in s. Keeps the series that demodulation needs.
+/// Declares and fills the table; stresses in Pa, times in s.
 class StressTable {
  public:
   /// With `tensors`, columns are every component of every tensor, else the shear stresses alone; with plate
@@ -24,25 +26,29 @@ class StressTable {
   /// this table needs.
   void finish(const System<2>& system, const Evaluation<2>& evaluation);
 
-  const std::vector<double>& time() const { return time_; }
-  const std::vector<double>& internal() const { return internal_; }
-  const std::vector<double>& external() const { return external_; }
-  const std::vector<double>& external_corrected() const { return external_corrected_; }
-  const std::vector<double>& periodic() const { return periodic_; }
-  const std::vector<double>& virial() const { return virial_; }
-  /// Empty without plates.
-  const std::vector<double>& plates() const { return plates_; }
-  const std::vector<double>& pressure() const { return pressure_; }
+  /// A column of the table so far, one value a row.
+  std::vector<double> column(const std::string& name) const { return recorder_.column("stress", name); }
+  bool has_plates() const { return has_plates_; }
+  /// Mean of (xx + yy)/2 of the overall tensor over all rows [Pa].
+  double mean_pressure() const { return pressure_sum_ / static_cast<double>(rows_); }
   /// Largest |sum of jumps| that was taken out of external_corrected() [Pa].
   double most_removed() const { return jumps_.most_removed(); }
+
+  void keep(Keeper& k) {
+    k("has_plates", has_plates_);
+    k("jumps", jumps_);
+    k("pressure_sum", pressure_sum_);
+    k("rows", rows_);
+  }
 
  private:
   Recorder& recorder_;
   Units units_;
   bool tensors_, has_plates_;
   JumpCorrection jumps_;
-  std::vector<double> row_, time_, internal_, external_, external_corrected_, periodic_, virial_, plates_,
-      pressure_;
+  std::vector<double> row_;
+  double pressure_sum_ = 0;
+  std::int64_t rows_ = 0;
 };
 
 }  // namespace supple

@@ -81,14 +81,15 @@ Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates 
   return frame;
 }
 
-void start_clock(System<2>& system, const Case& c) {
-  if (c.initial.keep_time) return;
+void start_clock(System<2>& system, const Case& c, const Recorder& recorder) {
+  if (c.initial.keep_time || resumed_part(recorder) == sheared_part) return;
   system.time = 0;
   system.step = 0;
 }
 
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder) {
+  if (resumed_part(recorder) == sheared_part) return;  // they are recorded
   for (const Derived& d : derived) recorder.value("constants", d.name, d.value);
   for_each_constant(s.material, [&](const char* name, const auto& constant) {
     if (constant)
@@ -108,6 +109,7 @@ const SuspensionModel& suspension_model(const Case& c) { return *experiment_of(c
 
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder) {
   Suspension s = suspension_model(c).make(c, initial, recorder);
+  if (resumed_part(recorder) == sheared_part) Keeper::restoring (*recorder.resumed())("system", s.system);
   require_sane(s.system, "this suspension");
   return s;
 }

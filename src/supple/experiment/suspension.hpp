@@ -42,10 +42,14 @@ const SuspensionModel& suspension_model(const Case& c);
 /// plates are those of the case, which has adopted those of the state.
 void take_state(Suspension& s, const Case& c, const InitialState& initial, int history_width);
 
+/// Parts of a run, as a checkpoint names them.
+inline constexpr auto preparation_part = "preparation", sheared_part = "shear";
+
 /// Discs from the state, or at rest after preparation (physics section 7.1, or the package's): relaxed,
 /// crosslinked and cut, relaxed again, plates in place. Progress and the table "preparation" go to the
 /// recorder. Throws a numerics error if the discs do not come to rest, and what make_* of the fidelity throw.
-/// Time is the state's own; see start_clock.
+/// Time is the state's own; see start_clock. Where a run goes on that was beyond its preparation, the discs
+/// are as they were then.
 Suspension make_suspension(const Case& c, const InitialState* initial, Recorder& recorder);
 
 /// Records the derived numbers, and what a continuation takes over besides the final state: constants of the
@@ -58,8 +62,9 @@ void record_constants(const Suspension& s, const InitialState* initial, const st
 /// rate are brought to that instant, where a leapfrog keeps those of half a step before.
 Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates);
 
-/// Sets time and step to 0, unless the case goes on with those of its state (initial.keep_time).
-void start_clock(System<2>& system, const Case& c);
+/// Sets time and step to 0, unless the case goes on with those of its state (initial.keep_time), or a run
+/// goes on.
+void start_clock(System<2>& system, const Case& c, const Recorder& recorder);
 
 /// The cell of the case, in `units`.
 Box<2> make_box(const Case& c, const Units& units);

@@ -87,17 +87,37 @@ void lower_wall(System<2>& s, double height) {
   s.box.length[gradient] = height;
 }
 
+/// How far the compression has got.
+struct Compressed {
+  JamState squeeze;
+  bool is_squeezed = false;
+  double height = 0;      ///< of the box where the strain begins
+  std::int64_t step = 0;  ///< of the wall
+  JamProgress work;
+
+  void keep(Keeper& k) {
+    k("squeeze", squeeze);
+    k("is_squeezed", is_squeezed);
+    k("height", height);
+    k("step", step);
+    k("work", work);
+  }
+};
+
 /// Moves all walls together until the pressure is that from which the compression starts.
-JamProgress squeeze(const Case& c, Packing& packing, Recorder& recorder) {
+void squeeze(const Case& c, Packing& packing, Compressed& state, const Keep& keep, Recorder& recorder) {
   JamSpec spec;
   spec.pressure = c.uniaxial.pressure;
   spec.step = 5e-3;
-  return jam(packing, spec, [&](const JamProgress& p) {
-    recorder.progress(
-        fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)), 0,
-        0);
-    return !recorder.stop_requested();
-  });
+  state.work = jam(
+      packing, spec, state.squeeze,
+      [&] { recorder.hold(keep, "after minimisation", state.squeeze.minimisations()); },
+      [&](const JamProgress& p) {
+        recorder.progress(
+            fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
+            0, 0);
+        return true;
+      });
 }
 
 void count(JamProgress& work, const MinimiseReport& done) {
@@ -108,29 +128,28 @@ void count(JamProgress& work, const MinimiseReport& done) {
 }
 
 /// The course from the first to the last strain; a row of the table for each step, and frames.
-void compress(const Case& c, Packing& packing, JamProgress& work, Recorder& recorder) {
+void compress(const Case& c, Packing& packing, Compressed& state, LastGood& good, const Keep& keep,
+              Recorder& recorder) {
   const Observables<WallInstant> observables = wall_observables(packing);
-  const double height = packing.system.box.length[gradient];
   const std::int64_t steps = wall_steps(c);
   FrameSchedule frames(steps, c.output.frames);
-  LastGood good(packing);
-  for (std::int64_t k = 0; k <= steps; ++k) {
-    const double strain = c.uniaxial.strain * static_cast<double>(k) / static_cast<double>(steps);
-    lower_wall(packing.system, height * (1 - strain));
+  frames.skip_to(state.step);
+  for (; state.step <= steps; ++state.step) {
+    recorder.hold(keep, "before step of the wall", state.step);
+    const double strain = c.uniaxial.strain * static_cast<double>(state.step) / static_cast<double>(steps);
+    lower_wall(packing.system, state.height * (1 - strain));
     const MinimiseReport report = relax(packing);
-    count(work, report);
+    count(state.work, report);
     require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
     remember(packing, report, good.look());
     const PackingReport row = report_packing(packing);
-    observables.append("packing", {{packing, row, work}, strain}, recorder);
-    if (frames.due(k)) {
+    observables.append("packing", {{packing, row, state.work}, strain}, recorder);
+    if (frames.due(state.step)) {
       Frame frame = packing_frame(packing, row);
       frame.numbers["uniaxial_strain"] = strain;
       recorder.frame(frame);
     }
-    recorder.progress(fmt::format("compress: strain {:.3f}", strain), k, steps);
-    if (recorder.stop_requested())
-      throw Error(ErrorKind::interrupted, fmt::format("interrupted at strain {:.4f}", strain));
+    recorder.progress(fmt::format("compress: strain {:.3f}", strain), state.step, steps);
   }
 }
 
@@ -146,14 +165,28 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
   const Observables<WallInstant> observables = wall_observables(packing);
   observables.declare("packing", recorder);
-  JamProgress work;
+  Compressed state;
+  LastGood good(packing);
+  const Keep keep = [&](Keeper& k) {
+    k("packing", packing);
+    k("good", good);
+    k("compressed", state);
+  };
+  restore(recorder, keep);
   try {
-    if (!initial && c.uniaxial.pressure > 0) work = squeeze(c, packing, recorder);
-    compress(c, packing, work, recorder);
+    if (!state.is_squeezed) {
+      if (!initial && c.uniaxial.pressure > 0) squeeze(c, packing, state, keep, recorder);
+      state.is_squeezed = true;
+      state.squeeze = {};
+      state.height = packing.system.box.length[gradient];
+      good.trust();
+    }
+    compress(c, packing, state, good, keep, recorder);
   } catch (const Error&) {
     hand_over_packing(packing, recorder);
     throw;
   }
+  const JamProgress& work = state.work;
   const PackingReport report = report_packing(packing);
   observables.record({{packing, report, work}, c.uniaxial.strain}, recorder,
                      one_of({"wall_force", "contact_length", "mean_overlap", "overlap_area"}));

@@ -29,6 +29,25 @@ void index_rows(PairTable& pairs, int sites) {
   for (int i = 0; i < sites; ++i) pairs.begin[i + 1] += pairs.begin[i];
 }
 
+void drop_open(PairTable& pairs, int sites) {
+  const auto width = static_cast<std::size_t>(pairs.width);
+  int kept = 0;
+  for (int r = 0; r < pairs.size(); ++r) {
+    if (pairs.state[r] == ContactState::open) continue;
+    pairs.first[kept] = pairs.first[r];
+    pairs.second[kept] = pairs.second[r];
+    pairs.state[kept] = pairs.state[r];
+    for (std::size_t k = 0; k < width; ++k) pairs.history[kept * width + k] = pairs.history[r * width + k];
+    if (!pairs.image.empty()) pairs.image[kept] = pairs.image[r];
+    ++kept;
+  }
+  pairs.resize(kept);
+  if (!pairs.image.empty()) pairs.image.resize(static_cast<std::size_t>(kept));
+  index_rows(pairs, sites);
+  pairs.skin = pairs.reach = 0;
+  ++pairs.version;
+}
+
 void follow_images(PairTable& pairs, std::int32_t i, const std::array<std::int32_t, 3>& cells) {
   for (std::size_t row = 0; row < pairs.image.size(); ++row) {
     RowImage& image = pairs.image[row];

@@ -75,6 +75,10 @@ void set_history_width(PairTable& pairs, int width);
 /// Fills `begin` from `first`, for `sites` sites.
 void index_rows(PairTable& pairs, int sites);
 
+/// Takes out the rows of pairs that are apart: which of these a table has depends on when the neighbour list
+/// was built.
+void drop_open(PairTable& pairs, int sites);
+
 /// Keeps the rows of site i about the same images after `cells` were subtracted from its position.
 void follow_images(PairTable& pairs, std::int32_t i, const std::array<std::int32_t, 3>& cells);
 

@@ -1,6 +1,7 @@
 /// Where the energy of a run comes from and where it goes.
 #pragma once
 #include "supple/model/evaluation.hpp"
+#include "supple/model/kept.hpp"
 #include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
 
@@ -36,6 +37,16 @@ struct EnergyFlows {
 
   double work() const { return plates + images + shear_rate; }
   double lost() const { return viscous + tangential_viscous + sliding + background; }
+
+  void keep(Keeper& k) {
+    k("plates", plates);
+    k("images", images);
+    k("shear_rate", shear_rate);
+    k("viscous", viscous);
+    k("tangential_viscous", tangential_viscous);
+    k("sliding", sliding);
+    k("background", background);
+  }
 };
 
 /// The account of a run. The integrator books each change that it makes to the velocities
@@ -80,6 +91,16 @@ class EnergyBalance {
   /// Flows up to the instant of `evaluation`, before the step that starts there.
   EnergyFlows flows(const System<2>& system, const Evaluation<2>& evaluation) const;
   double residual(const System<2>& system, const Evaluation<2>& evaluation) const;
+
+  void keep(Keeper& k) {
+    k("flows", flows_);
+    k("energy_at_opening", energy_at_opening_);
+    k("kinetic", kinetic_);
+    k("power", power_);
+    k("viscous_power", loss_power_.viscous);
+    k("tangential_power", loss_power_.tangential_viscous);
+    k("sliding_power", loss_power_.sliding);
+  }
 
  private:
   EnergyFlows flows_;

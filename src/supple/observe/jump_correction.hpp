@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "supple/model/kept.hpp"
 #include "supple/observe/stress.hpp"
 
 namespace supple {
@@ -25,6 +26,13 @@ class JumpCorrection {
   /// series.
   double removed() const { return removed_; }
   double most_removed() const { return most_removed_; }
+
+  void keep(Keeper& k) {
+    k("before", before_);
+    k("start", start_);
+    k("removed", removed_);
+    k("most_removed", most_removed_);
+  }
 
  private:
   std::vector<Vec2> before_;  ///< positions at the last call

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "supple/model/evaluation.hpp"
+#include "supple/model/kept.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -44,6 +45,9 @@ class Stepper {
                                 std::vector<double>& spin) const {
     (void)rate_now, (void)velocity, (void)spin;
   }
+
+  /// What it carries from step to step besides the system.
+  virtual void keep(Keeper&) {}
 
   virtual void set_friction(double coefficient) = 0;
   virtual double friction() const = 0;

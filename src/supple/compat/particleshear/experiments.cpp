@@ -54,10 +54,21 @@ Suspension make(const Case& c, const InitialState* initial, Recorder& recorder) 
     take_state(s, c, *initial, 2);
     return s;
   }
-  s.system = prepare_particleshear(c, run, package, [&](std::int64_t done, std::int64_t total) {
-    if (done % 256 == 0) recorder.progress("prepare as the package does", done, total);
-    if (recorder.stop_requested()) throw Error(ErrorKind::interrupted, "interrupted while preparing");
+  if (resumed_part(recorder) == sheared_part) {
+    package.set_plates(c.box.plates == "none" ? Plates::none : Plates::capture);
+    return s;
+  }
+  ParticleShearPreparation preparation = begin_preparation(c);
+  const Keep keep = in_part(preparation_part, [&](Keeper& k) {
+    k("preparation", preparation);
+    package.keep(k);
   });
+  restore(recorder, keep, preparation_part);
+  prepare_particleshear(c, run, package, preparation, [&](std::int64_t done, std::int64_t total) {
+    if (done % 256 == 0) recorder.progress("prepare as the package does", done, total);
+    recorder.safe_point(keep, "while preparing, at step", done);
+  });
+  s.system = std::move(preparation.system);
   return s;
 }
 

@@ -133,25 +133,33 @@ std::vector<ParticleShearStage> particleshear_preparation(const Case& c, const P
   return stages;
 }
 
-System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, ParticleShearStepper& stepper,
-                                const std::function<void(std::int64_t, std::int64_t)>& progress) {
+ParticleShearPreparation begin_preparation(const Case& c) {
   const Units units = particleshear_units();
-  const auto seed = static_cast<std::uint64_t>(c.general.seed);
   const Particles& p = c.particles;
-  System<2> system = package_discs(
-      make_box(c, units),
-      {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()}, seed);
-  require_sane(system, "this suspension");
-  std::fill(system.state.angle.begin(), system.state.angle.end(), -std::numbers::pi / 2);
+  ParticleShearPreparation begin;
+  begin.system =
+      package_discs(make_box(c, units),
+                    {p.discs, p.packing_fraction, p.bimodal_factor, c.material.density / units.density()},
+                    static_cast<std::uint64_t>(c.general.seed));
+  require_sane(begin.system, "this suspension");
+  std::vector<double>& angle = begin.system.state.angle;
+  std::fill(angle.begin(), angle.end(), -std::numbers::pi / 2);
+  return begin;
+}
 
+void prepare_particleshear(const Case& c, const ParticleShearRun& run, ParticleShearStepper& stepper,
+                           ParticleShearPreparation& state,
+                           const std::function<void(std::int64_t, std::int64_t)>& progress) {
+  System<2>& system = state.system;
   const Stages stages = particleshear_preparation(c, run);
   std::int64_t total = 0;
   for (const Stage& stage : stages) total += stage.steps;
-  for (const Stage& stage : stages) {
+  for (; state.stage < static_cast<std::int64_t>(stages.size()); ++state.stage, state.step = 0) {
+    const Stage& stage = stages[static_cast<std::size_t>(state.stage)];
     stepper.set_friction(stage.friction == Friction::on ? run.constants.mu : 0);
     stepper.set_plates(stage.plates == Plates::capture && c.box.plates == "none" ? Plates::none
                                                                                  : stage.plates);
-    for (std::int64_t i = 0; i < stage.steps; ++i) {
+    for (; state.step < stage.steps; ++state.step) {
       if (progress) progress(system.step, total);
       stepper.evaluate(system, {});
       stepper.advance(system, {}, stage.dt, stage.damping);
@@ -161,12 +169,11 @@ System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, Part
       stepper.update_neighbors(system);
       CrosslinkSpec spec = crosslink_spec(c);
       spec.join = IsolatedJoin::last;
-      crosslink(system, spec, seed);
+      crosslink(system, spec, static_cast<std::uint64_t>(c.general.seed));
     }
   }
   system.time = 0;
   system.step = 0;
-  return system;
 }
 
 }  // namespace supple

@@ -68,9 +68,24 @@ struct ParticleShearStage {
 /// The whole preparation, in order.
 std::vector<ParticleShearStage> particleshear_preparation(const Case& c, const ParticleShearRun& run);
 
-/// Discs at random, relaxed, crosslinked, cut, and relaxed between the plates: the system before the first
-/// step of the protocol, at time zero. `progress(done, total)` is called before every step and may throw.
-System<2> prepare_particleshear(const Case& c, const ParticleShearRun& run, ParticleShearStepper& stepper,
-                                const std::function<void(std::int64_t, std::int64_t)>& progress = {});
+/// How far the preparation has got; it starts with the discs at random.
+struct ParticleShearPreparation {
+  System<2> system;
+  std::int64_t stage = 0, step = 0;  ///< step: in the stage
+
+  void keep(Keeper& k) {
+    k("system", system);
+    k("stage", stage);
+    k("step", step);
+  }
+};
+ParticleShearPreparation begin_preparation(const Case& c);
+
+/// Relaxes the discs, crosslinks, cuts, and relaxes them between the plates: the system is then that before
+/// the first step of the protocol, at time zero. `progress(done, total)` is called before every step and may
+/// throw.
+void prepare_particleshear(const Case& c, const ParticleShearRun& run, ParticleShearStepper& stepper,
+                           ParticleShearPreparation& state,
+                           const std::function<void(std::int64_t, std::int64_t)>& progress = {});
 
 }  // namespace supple

@@ -25,6 +25,8 @@ class ParticleShearStepper : public Stepper {
   const Evaluation<2>& evaluate(System<2>& system, ShearRates rates) override;
   void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
 
+  void keep(Keeper& k) override { k("carried_force", carried_force_); }
+
   void set_friction(double coefficient) override { constants_.mu = coefficient; }
   double friction() const override { return constants_.mu; }
   /// Throws an input error on repulsive plates, which the package does not have.

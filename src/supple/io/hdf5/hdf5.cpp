@@ -1,5 +1,6 @@
 #include "supple/io/hdf5/hdf5.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 
@@ -22,6 +23,22 @@ H5_index_t order_of(hid_t group) {
   return H5Pget_link_creation_order(list.id(), &flags) >= 0 && (flags & H5P_CRT_ORDER_INDEXED)
              ? H5_INDEX_CRT_ORDER
              : H5_INDEX_NAME;
+}
+
+std::vector<char> bytes_in(const Object& dataset, hid_t type, const Shape& shape) {
+  std::vector<char> bytes(H5Tget_size(type) * believable_count(dataset, type, shape, dataset.where()));
+  checked(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", dataset.where());
+  return bytes;
+}
+
+/// Of numbers and texts of fixed length.
+bool same_values(const Object& a, const Object& b) {
+  const Object type(H5Dget_type(a.id())), other_type(H5Dget_type(b.id()));
+  const Object space(H5Dget_space(a.id())), other_space(H5Dget_space(b.id()));
+  const Shape shape = shape_of(space.id(), a.where());
+  if (H5Tequal(type.id(), other_type.id()) <= 0 || shape != shape_of(other_space.id(), b.where()))
+    return false;
+  return bytes_in(a, type.id(), shape) == bytes_in(b, type.id(), shape);
 }
 
 std::string name_of_member(hid_t group, H5_index_t order, hsize_t k, const std::string& where) {
@@ -135,6 +152,28 @@ void Group::copy(const Group& from, const std::string& name) {
           "copy " + name + " to", where());
 }
 
+void Group::copy_or_share(const Group& from, const std::vector<Group>& likes) {
+  const Quiet quiet;
+  copy_attributes(from);
+  for (const std::string& name : from.names()) {
+    if (from.is_group(name)) {
+      std::vector<Group> within;
+      for (const Group& like : likes)
+        if (like.has(name) && like.is_group(name)) within.push_back(like.open_group(name));
+      create_group(name).copy_or_share(from.open_group(name), within);
+      continue;
+    }
+    const auto same = std::find_if(likes.begin(), likes.end(), [&](const Group& like) {
+      return like.has(name) && !like.is_group(name) &&
+             same_values(from.open_dataset(name), like.open_dataset(name));
+    });
+    if (same == likes.end()) copy(from, name);
+    else
+      checked(H5Lcreate_hard(same->id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+              "create " + name + " in", where());
+  }
+}
+
 void Group::copy_attributes(const Object& from) {
   const Quiet quiet;
   copy_all_attributes(from.id(), id(), from.where());
@@ -152,15 +191,20 @@ Group create_file(const std::string& name) {
   return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", name));
 }
 
-void save(Group& root, const std::string& path, Existing existing) {
+std::string_view bytes_of(const Group& root) {
   const Quiet quiet;
   const Object file(checked(H5Iget_file_id(root.id()), "write", root.where()));
   checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root.where());
   const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root.where());
   void** bytes = nullptr;
   checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, reinterpret_cast<void**>(&bytes)), "write", root.where());
+  return {static_cast<const char*>(*bytes), static_cast<std::size_t>(size)};
+}
+
+void save(Group& root, const std::string& path, Existing existing) {
+  const std::string_view bytes = bytes_of(root);
   NewFile out(path, existing);
-  out.write({static_cast<const char*>(*bytes), static_cast<std::size_t>(size)});
+  out.write(bytes);
   out.commit();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,9 @@ class Group : public Object {
   void remove(const std::string& name);
   /// Copies the member `name` of `from` with everything below it.
   void copy(const Group& from, const std::string& name);
+  /// Copies everything in `from`; an array that is equal, bit for bit, to that of the same path in one of
+  /// `likes`, groups of this file, becomes another name of it.
+  void copy_or_share(const Group& from, const std::vector<Group>& likes);
   /// Copies all attributes of `from`.
   void copy_attributes(const Object& from);
 
@@ -98,6 +102,8 @@ class Group : public Object {
 /// The root group of a new file in memory; errors call it `name`. It is in memory because HDF5 does not
 /// survive a full disk. The file is gone with its last open object.
 Group create_file(const std::string& name);
+/// The bytes of the file in memory that `root` belongs to, until it changes or is gone.
+std::string_view bytes_of(const Group& root);
 /// Writes the file that `root` belongs to, completely or not at all. Throws a file error as NewFile does.
 void save(Group& root, const std::string& path, Existing existing = Existing::refuse);
 /// The root group of a file, read only. The error tells a missing, unreadable, foreign and truncated file

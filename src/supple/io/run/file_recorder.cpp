@@ -1,6 +1,7 @@
 #include "supple/io/run/file_recorder.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,10 @@ std::string row_text(const std::string& table, const std::vector<Column>& column
                      columns[0].name, rows[0], columns[0].unit.empty() ? "" : " " + columns[0].unit);
 }
 
+Clock::time_point after(Clock::time_point begin, double seconds) {
+  return begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
 std::ptrdiff_t whole_part(double share, std::size_t count) {
   return static_cast<std::ptrdiff_t>(share * static_cast<double>(count));
 }
@@ -77,8 +82,8 @@ void remove_partial_run(const std::string& folder) {
   if (!fs::is_directory(fs::symlink_status(folder))) throw refuse("it is no folder");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    const bool ours = name.starts_with("segment-") || name.starts_with("merged");
-    if (!ours || !entry.is_regular_file()) throw refuse("it holds " + name + ", which no run wrote");
+    if (!is_of_a_run(name) || !entry.is_regular_file())
+      throw refuse("it holds " + name + ", which no run wrote");
   }
   fs::remove_all(folder, error);
   if (error) throw refuse(error.message());
@@ -87,43 +92,58 @@ void remove_partial_run(const std::string& folder) {
 }  // namespace
 
 FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_text, Existing existing,
-                           FlushSpec flush)
+                           FlushSpec flush, CheckpointSpec checkpoints)
     : path_(std::move(path)),
       folder_(partial_folder(path_)),
       case_(std::move(resolved)),
       case_text_(std::move(case_text)),
       existing_(existing),
       flush_(flush),
+      checkpoint_spec_(checkpoints),
       started_(Clock::now()),
-      flushed_(started_) {
+      flushed_(started_),
+      checkpoint_due_(after(started_, checkpoints.period)) {
   check_can_create(path_, existing_);
-  if (existing_ == Existing::replace) remove_partial_run(folder_);
+  if (existing_ == Existing::replace) {
+    lock_folder();  // a run that is going on there is not replaced
+    remove_partial_run(folder_);
+  }
   std::error_code error;
   if (!fs::create_directory(folder_, error)) {
     if (error) throw file_error("cannot create " + folder_, error.message());
-    throw file_error(folder_ + " exists", "another run writes there, or was killed",
-                     "choose another name, remove it, or overwrite it with --force");
+    throw file_error(folder_ + " exists", "another run writes there, or was stopped",
+                     "go on with it (supple resume " + path_ +
+                         "), choose another name, remove it, or overwrite it with --force");
+  }
+  lock_folder();
+  try {
+    write_start(folder_, {case_, case_text_, ""});
+  } catch (const Error&) {
+    fs::remove_all(folder_, error);
+    throw;
   }
 }
 
 FileRecorder::~FileRecorder() {
-  if (finished_) return;
-  try {
-    if (info_) write_segment();
-  } catch (const std::exception&) {  // what is on disk is complete; a destructor has nobody to tell
-  }
   std::error_code error;
-  fs::remove(folder_, error);  // only where it is empty: the run never began
+  if (!finished_ && !info_ && !can_resume()) fs::remove_all(folder_, error);  // the run never began
+  if (!finished_) try {
+      if (info_) write_segment();
+    } catch (const std::exception&) {  // what is on disk is complete; a destructor has nobody to tell
+    }
+  if (lock_ >= 0) close(lock_);
 }
 
 void FileRecorder::begin(const RunInfo& info) {
+  if (info_ && resumed_) return;
   info_ = info;
   write_segment();
 }
 
 void FileRecorder::declare(const std::string& table, const std::vector<Column>& columns) {
-  const auto [at, made] = tables_.try_emplace(table, Table{columns, {}, true});
-  if (!made) throw input_error("table '" + table + "' is declared twice");
+  const auto [at, made] = tables_.try_emplace(table, Table{columns, {}, true, false});
+  if (!made && !std::exchange(at->second.taken_up, false))
+    throw input_error("table '" + table + "' is declared twice");
 }
 
 void FileRecorder::append(const std::string& table, std::span<const double> row) {
@@ -132,12 +152,14 @@ void FileRecorder::append(const std::string& table, std::span<const double> row)
   if (row.size() != at->second.columns.size())
     throw input_error("a row of table '" + table + "' has " + std::to_string(row.size()) + " values, not " +
                       std::to_string(at->second.columns.size()));
+  held_.reset();
   at->second.rows.insert(at->second.rows.end(), row.begin(), row.end());
   count(row.size_bytes());
 }
 
 void FileRecorder::frame(const Frame& frame) {
   if (last_frame_ && same_instant(*last_frame_, frame)) return;
+  held_.reset();
   if (!last_frame_) first_numbers_ = frame.numbers;
   std::map<std::string, std::size_t> numbers;
   for (const auto& [name, values] : frame.body) numbers[name] = values.size();
@@ -163,11 +185,18 @@ void FileRecorder::frame(const Frame& frame) {
 }
 
 void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {
+  held_.reset();
   values_.push_back({group, {name, value, error}});
 }
 
 void FileRecorder::final_state(const System<2>& system, const Evaluation<2>& evaluation) {
   final_.emplace(system, evaluation);
+  drop_open(final_->first.pairs, system.state.size());
+}
+
+void FileRecorder::progress(const std::string& phase, std::int64_t done, std::int64_t total) {
+  phase_ = phase;
+  phase_share_ = total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
 }
 
 void FileRecorder::warning(const std::string& text) { warnings_.push_back(text); }
@@ -202,22 +231,27 @@ void FileRecorder::write_segment() {
 
 void FileRecorder::write_new(h5::Group& root) {
   if (segments_ == 0) write_header(root, case_, case_text_, *info_);
-  h5::Group tables = root.create_group("tables");
-  for (const auto& [name, table] : tables_)
-    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows);
+  write_numbers(root);
   write_frames(root, frames_, info_->units, contacts_);
-  for (const auto& [group, value] : values_) {
-    h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
-    if (target.has(value.name.name)) target.remove(value.name.name);
-    write_value(target, value);
-  }
-  root.write("warnings", warnings_);
   if (final_) {
     h5::Group state = root.create_group("final_state");
     write_system(state, final_->first, info_->units);
     h5::Group evaluation = state.create_group("evaluation");
     write_evaluation(evaluation, final_->second, info_->units);
   }
+}
+
+/// Rows, values and warnings that no segment holds.
+void FileRecorder::write_numbers(h5::Group& root) {
+  h5::Group tables = root.create_group("tables");
+  for (const auto& [name, table] : tables_)
+    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows);
+  for (const auto& [group, value] : values_) {
+    h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
+    if (target.has(value.name.name)) target.remove(value.name.name);
+    write_value(target, value);
+  }
+  root.write("warnings", warnings_);
 }
 
 /// After a last segment for which there was no room: the final state, then rows and frames from the first on,
@@ -262,6 +296,10 @@ void FileRecorder::finish(const std::string& status) {
   const std::string kept = "what is complete is in " + folder_ + ", which every command reads: supple show " +
                            folder_ + "; supple export " + folder_ +
                            " --to hdf5 -o NAME makes one file of it where there is room";
+  if (status == "interrupted" && !place_.empty())
+    warnings_.push_back(
+        fmt::format("{}{}{}", place_,
+                    phase_share_ > 0 ? fmt::format(", {:.0f} % of: ", 100 * phase_share_) : ", ", phase_));
   try {
     if (info_) write_segment();
   } catch (const Error& e) {
@@ -281,7 +319,7 @@ void FileRecorder::finish(const std::string& status) {
   }
   if (failure_) throw *failure_;
   std::error_code error;
-  fs::remove_all(folder_, error);
+  if (status != "interrupted" || !can_resume()) fs::remove_all(folder_, error);
 }
 
 }  // namespace supple

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "supple/core/checksum.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/new_file.hpp"
 #include "supple/core/path_kind.hpp"
@@ -38,21 +39,10 @@ std::string big_endian(std::uint32_t x) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 0xff);
   return bytes;
 }
-
-/// The check of a png chunk: CRC-32 of its type and data [PNG, annex D].
-std::uint32_t crc32(std::string_view bytes) {
-  std::uint32_t crc = 0xffffffff;
-  for (const unsigned char byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ 0xedb88320 : crc >> 1;
-  }
-  return ~crc;
-}
-
 std::string png_text(const std::string& text) {
   const std::string data = std::string("Source") + '\0' + text;
   return big_endian(static_cast<std::uint32_t>(data.size())) + "tEXt" + data +
-         big_endian(crc32("tEXt" + data));
+         big_endian(checksum("tEXt" + data));
 }
 
 std::string jpeg_comment(const std::string& text) {

@@ -18,7 +18,7 @@ std::string attribute_name(const std::string& section, const Field<Section>& fie
   return (section.empty() ? "" : section + ".") + std::string(field.name);
 }
 
-void store_case(h5::Object& dataset, const Case& c) {
+void store_keys(h5::Object& dataset, const Case& c) {
   for_each_section(c, [&](const std::string& section, const auto& values) {
     using Section = std::decay_t<decltype(values)>;
     for (const Field<Section>& field : fields<Section>()) {
@@ -78,8 +78,7 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   root.set("definition_of_phase",
            std::string("strain = A sin(2 pi (f t - pre_periods)); storage modulus: in phase with "
                        "the strain (sin), loss modulus: with its rate (cos)"));
-  h5::Object stored = root.write_scalar("case", case_text);
-  store_case(stored, resolved);
+  store_case(root, resolved, case_text);
 
   h5::Group box = root.create_group("box");
   write_all(box, info.box, info.units);
@@ -87,6 +86,11 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   write_all(discs, info, info.units);
   if (!info.body_begin.empty())
     discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
+}
+
+void store_case(h5::Group& root, const Case& resolved, const std::string& case_text) {
+  h5::Object stored = root.write_scalar("case", case_text);
+  store_keys(stored, resolved);
 }
 
 RunInfo read_info(const h5::Group& root) {

@@ -47,6 +47,8 @@ std::string segment_name(int index);
 
 /// Writes the attributes of the root (all but status), the case, and `info`.
 void write_header(h5::Group& root, const Case& resolved, const std::string& case_text, const RunInfo& info);
+/// Writes the case, as text and as values; read_stored_case() reads it.
+void store_case(h5::Group& root, const Case& resolved, const std::string& case_text);
 RunInfo read_info(const h5::Group& root);
 Case read_stored_case(const h5::Group& root);
 
