@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "supple/core/parallel.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/io/text/case_file.hpp"
 #include "tests/io/same_frame.hpp"
@@ -170,14 +169,13 @@ TEST_P(Resumed, GoesOnWithAnotherNumberOfThreads) {
   Mortal whole(0);
   whole.live(c);
   Mortal mortal(whole.seen / 2);
-  const int threads = thread_count();
   try {
     run(c, nullptr, mortal);
   } catch (const Killed&) {
   }
-  thread_count() = 2;
-  mortal.live(c);
-  thread_count() = threads;
+  Case wider = c;
+  wider.general.threads = 2;
+  mortal.live(wider);
   expect_same_runs(whole, mortal);
 }
 

@@ -155,7 +155,7 @@ TEST_F(TwoFiles, AreWrittenSideBySide) {
 class ThreadsSeen : public MemoryRecorder {
  public:
   void progress(const std::string&, std::int64_t, std::int64_t) override { most = thread_count(); }
-  bool stop_requested() const override { return most > 0; }
+  bool stop_requested() override { return most > 0; }
   int most = 0;
 };
 
