@@ -92,7 +92,7 @@ struct Polygons {
       }
       const std::vector<Vec2> outline =
           ring.size() == 1 ? circle(ring[0], radius[0]) : outer_ring(ring, radius);
-      const auto add_point = [&](const Vec2& x) { add(first + nearest(ring, x), x); };
+      const auto add_point = [&, first = first](const Vec2& x) { add(first + nearest(ring, x), x); };
       if (cells != Cells::triangles) {
         for (const Vec2& x : outline) add_point(x);
         close(b);

@@ -39,7 +39,8 @@ HeldKeys read_held_keys(const JsonNode& root) {
 
 Json held_keys_json(const HeldKeys& keys) {
   Json json = Json::object();
-  for (const auto& [key, value] : keys) std::visit([&](const auto& v) { json[key] = v; }, value);
+  for (const auto& [key, value] : keys)
+    std::visit([&json, name = key](const auto& v) { json[name] = v; }, value);
   return json;
 }
 
