@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/nearest_name.hpp"
-#include "supple/core/parallel.hpp"
 #include "supple/core/path_kind.hpp"
 #include "supple/core/text_columns.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -250,7 +249,6 @@ void resume(const std::string& run_path, int threads, Format format, const Timin
     throw file_error("cannot resume " + file, "no copy was kept of the state that it started from");
   Case c = start.resolved;
   if (threads > 0) c.general.threads = threads;
-  thread_count() = c.general.threads;
   const std::optional<InitialState> initial = load_initial(c, start.initial);
   CommandRecorder recorder(file, start, spec_of(timing));
   for (const std::string& reason : recorder.refused_checkpoints())

@@ -15,7 +15,7 @@ class Shown : public supple::MemoryRecorder {
                  static_cast<long long>(total));
   }
   void warning(const std::string& text) override { std::fprintf(stderr, "warning: %s\n", text.c_str()); }
-  // bool stop_requested() const override;   // true: the experiment stops, and throws `interrupted`
+  // bool stop_requested() override;   // true: the experiment stops, and throws `interrupted`
 
  private:
   std::string phase_;
