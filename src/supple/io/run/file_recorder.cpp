@@ -297,9 +297,9 @@ void FileRecorder::finish(const std::string& status) {
                            folder_ + "; supple export " + folder_ +
                            " --to hdf5 -o NAME makes one file of it where there is room";
   if (status == "interrupted" && !phase_.empty())
-    warnings_.push_back(fmt::format("{}{}{}", place_.empty() ? "interrupted" : place_,
-                                    phase_share_ > 0 ? fmt::format(", {:.0f} % of: ", 100 * phase_share_) : ", ",
-                                    phase_));
+    warnings_.push_back(
+        fmt::format("{}{}{}", place_.empty() ? "interrupted" : place_,
+                    phase_share_ > 0 ? fmt::format(", {:.0f} % of: ", 100 * phase_share_) : ", ", phase_));
   try {
     if (info_) write_segment();
   } catch (const Error& e) {
