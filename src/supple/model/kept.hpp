@@ -29,6 +29,8 @@ class Keeper {
   static Keeper restoring(const Kept& from) { return Keeper(nullptr, &from); }
 
   bool restores() const { return from_ != nullptr; }
+  /// How many values were saved or restored.
+  std::size_t count() const { return count_; }
 
   /// Keeps a value under a name: numbers, enums, texts, vectors and arrays of numbers, optional values,
   /// systems, structs with quantities, and what has a function keep.
@@ -48,6 +50,7 @@ class Keeper {
 
   template <class T>
   void exchange(const std::string& name, T& value) {
+    ++count_;
     if (to_) {
       to_->insert_or_assign(name, value);
       return;
@@ -125,6 +128,7 @@ class Keeper {
 
   Kept* to_;
   const Kept* from_;
+  std::size_t count_ = 0;
   std::string prefix_;
 };
 

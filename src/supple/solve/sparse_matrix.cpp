@@ -16,23 +16,26 @@ void sum_entries(int size, const std::vector<MatrixEntry>& entries, SparseMatrix
   for (const MatrixEntry& e : entries) sorted[next[e.col()]++] = {e.row(), e.value()};
 
   lower.size = size;
-  lower.begin.assign(static_cast<std::size_t>(size) + 1, 0);
-  lower.row.clear();
-  lower.value.clear();
+  lower.begin.resize(static_cast<std::size_t>(size) + 1);
+  lower.row.resize(entries.size());
+  lower.value.resize(entries.size());
+  int at = 0;
   for (int c = 0; c < size; ++c) {
-    lower.begin[c] = static_cast<int>(lower.row.size());
+    lower.begin[c] = at;
     std::stable_sort(sorted.begin() + begin[c], sorted.begin() + begin[c + 1],
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::int32_t k = begin[c]; k < begin[c + 1]; ++k) {
       if (k > begin[c] && sorted[k].first == sorted[k - 1].first) {
-        lower.value.back() += sorted[k].second;
+        lower.value[at - 1] += sorted[k].second;
         continue;
       }
-      lower.row.push_back(sorted[k].first);
-      lower.value.push_back(sorted[k].second);
+      lower.row[at] = sorted[k].first;
+      lower.value[at++] = sorted[k].second;
     }
   }
-  lower.begin[size] = static_cast<int>(lower.row.size());
+  lower.begin[size] = at;
+  lower.row.resize(at);
+  lower.value.resize(at);
 }
 
 }  // namespace supple

@@ -152,14 +152,14 @@ void FileRecorder::append(const std::string& table, std::span<const double> row)
   if (row.size() != at->second.columns.size())
     throw input_error("a row of table '" + table + "' has " + std::to_string(row.size()) + " values, not " +
                       std::to_string(at->second.columns.size()));
-  held_.reset();
+  holds_ = false;
   at->second.rows.insert(at->second.rows.end(), row.begin(), row.end());
   count(row.size_bytes());
 }
 
 void FileRecorder::frame(const Frame& frame) {
   if (last_frame_ && same_instant(*last_frame_, frame)) return;
-  held_.reset();
+  holds_ = false;
   if (!last_frame_) first_numbers_ = frame.numbers;
   std::map<std::string, std::size_t> numbers;
   for (const auto& [name, values] : frame.body) numbers[name] = values.size();
@@ -185,7 +185,7 @@ void FileRecorder::frame(const Frame& frame) {
 }
 
 void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {
-  held_.reset();
+  holds_ = false;
   values_.push_back({group, {name, value, error}});
 }
 

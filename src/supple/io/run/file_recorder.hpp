@@ -124,7 +124,8 @@ class FileRecorder : public Recorder {
   std::optional<std::pair<System<2>, Evaluation<2>>> final_;
 
   std::optional<Kept> resumed_;  ///< of the run that goes on
-  std::optional<Kept> held_;     ///< for a stop before the next safe point
+  Kept held_;                    ///< at the last safe point that was long before the next, or written
+  bool holds_ = false;           ///< for a stop before the next safe point
   std::vector<std::string> refused_;
   std::string place_, phase_;  ///< the last safe point, and what was done there
   double phase_share_ = 0;     ///< that is done

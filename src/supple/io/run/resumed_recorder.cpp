@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <utility>
 
 #include "supple/core/error.hpp"
 #include "supple/io/run/file_recorder.hpp"
@@ -26,11 +27,14 @@ Clock::time_point in(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-Kept kept_by(const Keep& keep) {
-  Kept kept;
+/// Saves into `kept`, in the memory that it has from the time before where the names are the same.
+void save(const Keep& keep, Kept& kept) {
   Keeper keeper = Keeper::saving(kept);
   keep(keeper);
-  return kept;
+  if (keeper.count() == kept.size()) return;
+  kept.clear();
+  Keeper anew = Keeper::saving(kept);
+  keep(anew);
 }
 
 /// Segments that are later than the checkpoint, and what was left half written.
@@ -150,19 +154,19 @@ bool FileRecorder::has_news() const {
 bool FileRecorder::stop_requested() {
   const double needed = std::min(2 + 4 * checkpoint_cost_, 0.1 * checkpoint_spec_.limit);
   const bool stop = asked_to_stop() || seconds_since(started_) > checkpoint_spec_.limit - needed;
-  if (stop && held_) {
-    write_checkpoint(*held_);
-    held_.reset();
-  }
+  if (stop && std::exchange(holds_, false)) write_checkpoint(held_);
   return stop;
 }
 
 bool FileRecorder::checkpoint_is_due() { return asked_for_checkpoint() || Clock::now() >= checkpoint_due_; }
 
 void FileRecorder::safe_point(const Keep& keep, const char* where, std::int64_t number) {
-  held_.reset();
+  holds_ = false;
   const bool stop = stop_requested();
-  if (stop || checkpoint_is_due()) write_checkpoint(kept_by(keep));
+  if (stop || checkpoint_is_due()) {
+    save(keep, held_);
+    write_checkpoint(held_);
+  }
   if (!stop) return;
   const Error error = interrupted_at(where, number);
   place_ = error.what();
@@ -171,7 +175,8 @@ void FileRecorder::safe_point(const Keep& keep, const char* where, std::int64_t 
 
 void FileRecorder::hold(const Keep& keep, const char* where, std::int64_t number) {
   safe_point(keep, where, number);
-  held_ = kept_by(keep);
+  save(keep, held_);
+  holds_ = true;
 }
 
 /// Where it cannot be written, the one before it is still there and the run goes on: the user is told once.
