@@ -135,8 +135,8 @@ void run_body_shear(const Case& c, const InitialState* initial, Recorder& record
                  p.time_step(), damping, [&](std::int64_t step, double) { return p.rates(step); }},
                 more);
   } catch (const Error& e) {
-    if (const auto cycles = whole_cycles(windows_of(p), bodies.table().column("t"));
-        cycles && e.kind() == ErrorKind::interrupted) {
+    if (e.kind() != ErrorKind::interrupted) throw;
+    if (const auto cycles = whole_cycles(windows_of(p), bodies.table().column("t"))) {
       OscillatoryProtocol stopped = p;
       stopped.shear_steps = std::llround(cycles->periods) * p.steps_per_period;
       stopped.post_steps = 0;

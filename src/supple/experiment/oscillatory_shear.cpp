@@ -43,8 +43,8 @@ void run_oscillatory_shear(const Case& c, const InitialState* initial, Recorder&
     sheared.move({"oscillatory shear", protocol.steps, protocol.rows,
                   std::max(c.output.images, c.output.frames), s.time_step, s.damping, protocol.rates});
   } catch (const Error& e) {
-    if (const auto cycles = whole_cycles(protocol.windows, sheared.table().column("t"));
-        cycles && e.kind() == ErrorKind::interrupted)
+    if (e.kind() != ErrorKind::interrupted) throw;
+    if (const auto cycles = whole_cycles(protocol.windows, sheared.table().column("t")))
       record_moduli(sheared.table(), *cycles, protocol.demodulator, gap_of(s.system, s.units), recorder);
     throw;
   }
