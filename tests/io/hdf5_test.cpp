@@ -61,15 +61,26 @@ TEST_F(Hdf5, RowsOfOtherFilesAreJoinedWithTheirAttributes) {
   from.write("large", std::vector<double>(10000, 1.5), {5000, 2});
   for (const std::string name : {"speed", "large"}) {
     const std::uint64_t rows = from.shape(name)[0];
-    to.create_like(from, name, 2 * rows);
-    to.write_rows_of(from, name, 0);
-    to.write_rows_of(from, name, rows);
-    EXPECT_THAT(file_error_of([&] { to.write_rows_of(from, name, rows + 1); }),
+    const Object joined = to.create_like(from, name, 2 * rows);
+    from.copy_rows(name, joined, 0);
+    from.copy_rows(name, joined, rows);
+    EXPECT_THAT(file_error_of([&] { from.copy_rows(name, joined, rows + 1); }),
                 HasSubstr("has another shape"));
   }
   EXPECT_THAT(to.read<double>("speed"), ElementsAre(1, 2, 3, 4, 1, 2, 3, 4));
   EXPECT_EQ(to.read<double>("large"), std::vector<double>(20000, 1.5));
   EXPECT_EQ(to.open_dataset("speed").text("unit"), "m/s");
+}
+
+/// What is soon merged into another file is not compressed; what stays is.
+TEST_F(Hdf5, APlainFileHoldsItsNumbersAsTheyAre) {
+  constexpr std::size_t bytes = 80000;
+  Group compressed = create_file("compressed.h5"), plain = create_file("plain.h5", Storage::plain);
+  for (Group* root : {&compressed, &plain})
+    root->create_group("within").write("x", std::vector<double>(bytes / sizeof(double), 1.5));
+  EXPECT_LT(bytes_of(compressed).size(), bytes / 10);
+  EXPECT_GT(bytes_of(plain).size(), bytes);
+  EXPECT_EQ(plain.open_group("within").read<double>("x"), compressed.read<double>("within/x"));
 }
 
 TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {

@@ -128,12 +128,14 @@ Group Group::create_group(const std::string& name) {
   const Object list(H5Pcreate(H5P_GROUP_CREATE));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   return Group(checked(H5Gcreate2(id(), name.c_str(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
-                       "create group " + name + " in", where()));
+                       "create group " + name + " in", where()),
+               storage_);
 }
 
 Group Group::open_group(const std::string& name) const {
   const Quiet quiet;
-  return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", where()));
+  return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", where()),
+               storage_);
 }
 
 Object Group::open_dataset(const std::string& name) const {
@@ -179,7 +181,7 @@ void Group::copy_attributes(const Object& from) {
   copy_all_attributes(from.id(), id(), from.where());
 }
 
-Group create_file(const std::string& name) {
+Group create_file(const std::string& name, Storage storage) {
   const Quiet quiet;
   const Object list(H5Pcreate(H5P_FILE_CREATE)), access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -188,7 +190,7 @@ Group create_file(const std::string& name) {
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   H5Pset_fapl_core(access.id(), std::size_t{1} << 20, 0);
   const Object file(checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, list.id(), access.id()), "create", name));
-  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", name));
+  return Group(checked(H5Gopen2(file.id(), "/", H5P_DEFAULT), "open", name), storage);
 }
 
 std::string_view bytes_of(const Group& root) {

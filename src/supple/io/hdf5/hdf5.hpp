@@ -46,12 +46,18 @@ class Object {
   std::int64_t id_ = -1;
 };
 
+/// How the arrays of a file that are larger than a header are kept: in pieces with a checksum each,
+/// compressed or as they are. Numbers of a simulation become little smaller, and compressing them takes
+/// longer than writing them.
+enum class Storage { compressed, plain };
+
 /// A group. Element types T are double, std::int32_t, std::int64_t, std::uint8_t and std::string (UTF-8;
 /// written with a fixed length, which every reader knows; read with any). What is read is checked: no array
 /// is larger than its file can hold, every text is UTF-8.
 class Group : public Object {
  public:
-  using Object::Object;
+  Group() = default;
+  explicit Group(std::int64_t id, Storage storage = Storage::compressed) : Object(id), storage_(storage) {}
 
   bool has(const std::string& name) const;
   /// Whether the member is a group; otherwise it is a dataset.
@@ -71,7 +77,7 @@ class Group : public Object {
   void copy_attributes(const Object& from);
 
   /// Writes an array; an empty shape means one dimension with all values. A small array is kept in the header
-  /// of its dataset, a larger one in compressed pieces with a checksum each.
+  /// of its dataset, a larger one in pieces (see Storage).
   template <class T>
   Object write(const std::string& name, std::span<const T> values, const Shape& shape = {});
   template <class T>
@@ -83,10 +89,11 @@ class Group : public Object {
   Object write_scalar(const std::string& name, const T& value);
 
   /// Creates the array `name` with the type, row shape and attributes of that in `from`, for `rows` rows,
-  /// which write_rows_of() fills.
+  /// which copy_rows() fills.
   Object create_like(const Group& from, const std::string& name, std::uint64_t rows);
-  /// Writes all rows of the array `name` of `from` into that of this group, from row `first` on.
-  void write_rows_of(const Group& from, const std::string& name, std::uint64_t first);
+  /// Writes all rows of the array `name` into the array `to` of another file, from row `first` on. A piece of
+  /// `to` that is filled in parts is compressed once if `to` stays open between them.
+  void copy_rows(const std::string& name, const Object& to, std::uint64_t first) const;
 
   Shape shape(const std::string& name) const;
   /// All values, row after row, converted where the file holds another type of number.
@@ -97,11 +104,14 @@ class Group : public Object {
   /// The values in rows [first, first + count) of the first dimension.
   template <class T>
   std::vector<T> read_rows(const std::string& name, std::uint64_t first, std::uint64_t count) const;
+
+ private:
+  Storage storage_ = Storage::compressed;  ///< of what is written
 };
 
 /// The root group of a new file in memory; errors call it `name`. It is in memory because HDF5 does not
 /// survive a full disk. The file is gone with its last open object.
-Group create_file(const std::string& name);
+Group create_file(const std::string& name, Storage storage = Storage::compressed);
 /// The bytes of the file in memory that `root` belongs to, until it changes or is gone.
 std::string_view bytes_of(const Group& root);
 /// Writes the file that `root` belongs to, completely or not at all. Throws a file error as NewFile does.

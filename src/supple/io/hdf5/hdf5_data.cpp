@@ -21,7 +21,7 @@ constexpr std::uint64_t piece_bytes = 32768;
 
 /// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout
 /// without pieces.
-Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
+Object layout_of(const Shape& shape, std::uint64_t value_bytes, Storage storage) {
   Object list(H5Pcreate(H5P_DATASET_CREATE));
   const std::uint64_t bytes = product(shape) * value_bytes;
   if (bytes > 0 && bytes <= compact_bytes) {
@@ -37,20 +37,22 @@ Object layout_of(const Shape& shape, std::uint64_t value_bytes) {
     while (product(piece, d) * value_bytes > std::uint64_t{1} << 26 && piece[d] > 1)
       piece[d] = (piece[d] + 1) / 2;
   H5Pset_chunk(list.id(), static_cast<int>(piece.size()), reinterpret_cast<const hsize_t*>(piece.data()));
-  H5Pset_shuffle(list.id());
-  H5Pset_deflate(list.id(), 1);
+  if (storage == Storage::compressed) {
+    H5Pset_shuffle(list.id());
+    H5Pset_deflate(list.id(), 1);
+  }
   H5Pset_fletcher32(list.id());
   return list;
 }
 
-Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape,
+Object create_dataset(hid_t group, const std::string& name, hid_t type, const Shape& shape, Storage storage,
                       const std::string& where) {
   Shape limit = shape;
   for (std::uint64_t& length : limit) length = length ? length : H5S_UNLIMITED;
   const Object space(H5Screate_simple(static_cast<int>(shape.size()),
                                       reinterpret_cast<const hsize_t*>(shape.data()),
                                       reinterpret_cast<const hsize_t*>(limit.data())));
-  const Object list = layout_of(shape, H5Tget_size(type));
+  const Object list = layout_of(shape, H5Tget_size(type), storage);
   return own(H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
              "create " + name + " in", where);
 }
@@ -70,8 +72,8 @@ template <class T>
 Object Group::write(const std::string& name, std::span<const T> values, const Shape& shape) {
   const Quiet quiet;
   const Buffer<T> buffer(values);
-  Object dataset =
-      create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape, where());
+  Object dataset = create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape,
+                                  storage_, where());
   if (!values.empty())
     checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
             dataset.where());
@@ -99,28 +101,28 @@ Object Group::create_like(const Group& from, const std::string& name, std::uint6
   const Object type(H5Dget_type(source.id()));
   Shape shape = from.shape(name);
   shape.at(0) = rows;
-  Object made = create_dataset(id(), name, type.id(), shape, where());
+  Object made = create_dataset(id(), name, type.id(), shape, storage_, where());
   copy_all_attributes(source.id(), made.id(), source.where());
   return made;
 }
 
-void Group::write_rows_of(const Group& from, const std::string& name, std::uint64_t first) {
+void Group::copy_rows(const std::string& name, const Object& to, std::uint64_t first) const {
   const Quiet quiet;
-  const Object source = from.open_dataset(name), target = open_dataset(name);
+  const Object source = open_dataset(name), file_space(H5Dget_space(to.id()));
   const Object type(H5Dget_type(source.id()));
-  const Shape rows = from.shape(name), all = shape(name);
+  const Shape rows = shape(name), all = h5::shape_of(file_space.id(), to.where());
   const std::size_t count = believable_count(source, type.id(), rows, source.where());
   if (count == 0) return;
   if (rows.size() != all.size() || !std::equal(rows.begin() + 1, rows.end(), all.begin() + 1) ||
       first > all[0] || rows[0] > all[0] - first)
-    throw file_error("cannot write " + target.where(), source.where() + " has another shape");
+    throw file_error("cannot write " + to.where(), source.where() + " has another shape");
   std::vector<char> bytes(count * H5Tget_size(type.id()));
   checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read",
           source.where());
-  const Object file_space(H5Dget_space(target.id())), memory_space = space_of(rows);
+  const Object memory_space = space_of(rows);
   select_rows(file_space.id(), all, first, rows[0]);
-  checked(H5Dwrite(target.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()),
-          "write", target.where());
+  checked(H5Dwrite(to.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()),
+          "write", to.where());
 }
 
 Shape Group::shape(const std::string& name) const {

@@ -25,13 +25,15 @@ double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
+/// Units and meanings are those of the first segment that has the table.
 void write_table(h5::Group& tables, const std::string& name, const std::vector<Column>& columns,
-                 const std::vector<double>& rows) {
+                 const std::vector<double>& rows, bool first) {
   h5::Group table = tables.create_group(name);
   std::vector<double> values(columns.empty() ? 0 : rows.size() / columns.size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
     for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns.size() + c];
     h5::Object column = table.write(columns[c].name, values);
+    if (!first) continue;
     column.set("unit", columns[c].unit);
     column.set("meaning", columns[c].meaning);
   }
@@ -212,7 +214,7 @@ void FileRecorder::count(std::size_t bytes) {
 
 void FileRecorder::write_segment() {
   const std::string path = folder_ + "/" + segment_name(segments_);
-  h5::Group root = h5::create_file(path);
+  h5::Group root = h5::create_file(path, h5::Storage::plain);  // it is soon merged
   write_new(root);
   h5::save(root, path);
   for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
@@ -245,7 +247,7 @@ void FileRecorder::write_new(h5::Group& root) {
 void FileRecorder::write_numbers(h5::Group& root) {
   h5::Group tables = root.create_group("tables");
   for (const auto& [name, table] : tables_)
-    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows);
+    if (table.fresh || !table.rows.empty()) write_table(tables, name, table.columns, table.rows, table.fresh);
   for (const auto& [group, value] : values_) {
     h5::Group target = root.has(group) ? root.open_group(group) : root.create_group(group);
     if (target.has(value.name.name)) target.remove(value.name.name);

@@ -14,10 +14,17 @@ void count_rows(const h5::Group& from, const std::string& name, std::map<std::st
     else rows[name + "/" + member] += group.shape(member).at(0);
 }
 
+/// An array of the merged file, open until all of its rows are written.
+struct MergedArray {
+  h5::Object dataset;
+  std::uint64_t written = 0;
+};
+
 /// Writes the rows of each array below the group `name` of `from` behind those that `to` has already.
 struct RowMerger {
   h5::Group& to;
-  std::map<std::string, std::uint64_t> rows, written;
+  std::map<std::string, std::uint64_t> rows;
+  std::map<std::string, MergedArray> arrays;
 
   void merge(const h5::Group& from, const std::string& name) {
     if (!from.has(name)) return;
@@ -29,9 +36,11 @@ struct RowMerger {
         merge(from, path);
         continue;
       }
-      if (!group.has(member)) group.create_like(source, member, rows.at(path));
-      group.write_rows_of(source, member, written[path]);
-      written[path] += source.shape(member).at(0);
+      const auto [at, made] = arrays.try_emplace(path);
+      MergedArray& array = at->second;
+      if (made) array.dataset = group.create_like(source, member, rows.at(path));
+      source.copy_rows(member, array.dataset, array.written);
+      array.written += source.shape(member).at(0);
     }
   }
 };
@@ -40,10 +49,10 @@ struct RowMerger {
 
 void save_merged(const RunFile& run, const std::string& status, const std::string& path, Existing existing) {
   h5::Group root = h5::create_file(path);
-  RowMerger rows{root, {}, {}};
+  RowMerger merger{root, {}, {}};
   std::size_t last_state = run.segments();
   for (std::size_t s = 0; s < run.segments(); ++s)
-    for (const char* name : {"tables", "frames"}) count_rows(run.segment(s), name, rows.rows);
+    for (const char* name : {"tables", "frames"}) count_rows(run.segment(s), name, merger.rows);
   for (std::size_t s = 0; s < run.segments(); ++s) {
     const h5::Group& segment = run.segment(s);
     if (s == 0) {
@@ -51,9 +60,10 @@ void save_merged(const RunFile& run, const std::string& status, const std::strin
       root.set("status", status);
       for (const char* name : {"case", "box", "discs"}) root.copy(segment, name);
     }
-    for (const char* name : {"tables", "frames"}) rows.merge(segment, name);
+    for (const char* name : {"tables", "frames"}) merger.merge(segment, name);
     if (segment.has("final_state")) last_state = s;
   }
+  merger.arrays.clear();
   for (const std::string& group : run.value_groups()) {
     h5::Group target = root.create_group(group);
     for (const RunValue& value : run.values(group)) write_value(target, value);
