@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "supple/core/disjoint_sets.hpp"
 #include "supple/model/bodies.hpp"
 
 namespace supple {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "supple/core/disjoint_sets.hpp"
 #include "supple/core/random.hpp"
 #include "supple/core/require.hpp"
 #include "supple/model/cuts.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "supple/core/disjoint_sets.hpp"
 #include "supple/core/error.hpp"
 #include "supple/model/row_separation.hpp"
 
@@ -74,19 +75,6 @@ std::vector<double> particle_heights(const State<2>& state, std::span<const std:
   }
   for (std::size_t p = 0; p < count; ++p) height[p] = top[p] - bottom[p];
   return height;
-}
-
-DisjointSets::DisjointSets(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-std::int32_t DisjointSets::root(std::int32_t site) {
-  while (parent_[site] != site) site = parent_[site] = parent_[parent_[site]];
-  return site;
-}
-
-bool DisjointSets::merge(std::int32_t a, std::int32_t b) {
-  const std::int32_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
-  parent_[high] = low;
-  return low != high;
 }
 
 }  // namespace supple

@@ -40,16 +40,4 @@ std::vector<std::int32_t> connected_particles(const System<2>& system, LinkKind 
 /// Height max(y + r) - min(y - r) of each particle [length]; `particle` as of connected_particles().
 std::vector<double> particle_heights(const State<2>& state, std::span<const std::int32_t> particle);
 
-/// Disjoint sets of sites, at first one for each site.
-class DisjointSets {
- public:
-  explicit DisjointSets(int size);
-  std::int32_t root(std::int32_t site);
-  /// Unites the sets of a and b. Returns whether they were two.
-  bool merge(std::int32_t a, std::int32_t b);
-
- private:
-  std::vector<std::int32_t> parent_;
-};
-
 }  // namespace supple
