@@ -87,7 +87,9 @@ TEST(PolygonShape, SecondDerivativesAreTheSameAsBandsAndOuterProducts) {
     HessianBlocks<2> whole, blocks;
     OuterProducts<2> products;
     fast_terms().add_hessian(system, whole);
-    fast_terms().add_split_hessian(system, blocks, products);
+    fast_terms().add_joining_hessian(system, blocks);
+    EXPECT_TRUE(blocks.empty());
+    for (int b = 0; b < 5; ++b) fast_terms().add_body_hessian(system, b, blocks, products);
     EXPECT_EQ(blocks.size(), blocks_in_all);
     for (const OuterProduct<2>& p : products) slopes -= p.slope.size();
     EXPECT_EQ(slopes, 0u);

@@ -94,6 +94,24 @@ TEST(EigenvalueBound, OfMatricesThatNothingConnectsIsTheLargestOfThem) {
   EXPECT_EQ(eigenvalue_bound(both.entries, both.parts, 101), largest) << "number 100 is connected to nothing";
 }
 
+TEST(EigenvalueBound, OfPortionsOneAfterTheOtherIsTheLargestOfThem) {
+  const Matrix portion[] = {random_matrix(40, 2, 8, 3), random_matrix(9, 1, 4, 5),
+                            random_matrix(61, 3, 12, 4)};
+  double largest = 0;
+  for (const Matrix& m : portion)
+    largest = std::max(largest, eigenvalue_bound(m.entries, m.parts, static_cast<int>(m.dense.size())));
+  std::vector<int> order{0, 1, 2};
+  do {
+    EigenvalueBound bound;
+    double least = 0;
+    for (const int k : order) {
+      const Matrix& m = portion[k];
+      least = bound.of(m.entries, m.parts, static_cast<int>(m.dense.size()), least);
+    }
+    EXPECT_EQ(least, largest) << order[0] << order[1] << order[2];
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
 TEST(EigenvalueBound, OfNothingIsZero) {
   EXPECT_EQ(eigenvalue_bound({}, {}, 0), 0);
   EXPECT_EQ(eigenvalue_bound({}, {}, 5), 0);

@@ -13,9 +13,9 @@ void ForceField::add_hessian(System<2>& system, HessianBlocks<2>& blocks, Hessia
   finish_hessian(system, blocks);
 }
 
-void ForceField::add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products) {
+void ForceField::add_joining_hessian(System<2>& system, HessianBlocks<2>& blocks) {
   begin_hessian(system);
-  terms_.add_split_hessian(system, blocks, products);
+  terms_.add_joining_hessian(system, blocks);
   finish_hessian(system, blocks);
 }
 

@@ -53,9 +53,14 @@ class ForceField {
   /// Adds the second derivatives of the energy. Not for contacts with memory: their forces have no energy.
   void add_hessian(System<2>& system, HessianBlocks<2>& blocks, HessianKind kind = HessianKind::exact);
 
-  /// The same, with the parts that couple all sites of a body as outer products: the Hessian is the sum of
-  /// `blocks` and `products`.
-  void add_split_hessian(System<2>& system, HessianBlocks<2>& blocks, OuterProducts<2>& products);
+  /// The same in portions: what may join bodies, contacts among it, and what acts outside bodies,
+  void add_joining_hessian(System<2>& system, HessianBlocks<2>& blocks);
+  /// and what acts in body b alone, where parts that couple all of its sites are outer products: the Hessian
+  /// is the sum of `blocks` and `products`.
+  void add_body_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks,
+                        OuterProducts<2>& products) const {
+    terms_.add_body_hessian(system, b, blocks, products);
+  }
 
   /// Of the forces that the last evaluation, with energies, found, at the velocities and the shear rate of
   /// now.

@@ -208,10 +208,10 @@ void PolygonShape::add_sparse_hessian(const System<2>& system, HessianBlocks<2>&
     add_ring_hessian(system, static_cast<int>(b), blocks, HessianKind::sparse);
 }
 
-void PolygonShape::add_split_hessian(const System<2>& system, HessianBlocks<2>& blocks,
-                                     OuterProducts<2>& products) const {
-  for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b)
-    add_ring_hessian(system, static_cast<int>(b), blocks, HessianKind::exact, &products);
+void PolygonShape::add_body_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks,
+                                    OuterProducts<2>& products) const {
+  if (static_cast<std::size_t>(b) < system.shape.stiffness.size())
+    add_ring_hessian(system, b, blocks, HessianKind::exact, &products);
 }
 
 }  // namespace supple

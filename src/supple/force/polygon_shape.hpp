@@ -14,8 +14,9 @@ class PolygonShape final : public TermBlock<2> {
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const override;
   void add_hessian(const System<2>& system, HessianBlocks<2>& blocks) const override;
   void add_sparse_hessian(const System<2>& system, HessianBlocks<2>& blocks) const override;
-  void add_split_hessian(const System<2>& system, HessianBlocks<2>& blocks,
-                         OuterProducts<2>& products) const override;
+  void add_joining_hessian(const System<2>&, HessianBlocks<2>&) const override {}
+  void add_body_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks,
+                        OuterProducts<2>& products) const override;
 };
 
 }  // namespace supple

@@ -26,7 +26,7 @@ class RingBlocks {
       if (!sparse_)
         for (int j = 0; j <= i; ++j) blocks.push_back({first + i, first + j, {}});
       else
-        for (int back = 0; back <= near; ++back) {
+        for (int back = near; back >= 0; --back) {
           const int j = i >= back ? i - back : i - back + n;
           blocks.push_back({first + std::max(i, j), first + std::min(i, j), {}});
         }
@@ -34,7 +34,8 @@ class RingBlocks {
   }
   Mat2& at(int i, int j) {
     if (!sparse_) return blocks_[begin_ + static_cast<std::size_t>(i * (i + 1) / 2 + j)].h;
-    const int back = i - j, place = back <= near ? (near + 1) * i + back : (near + 1) * j + n_ - back;
+    const int back = i - j;
+    const int place = back <= near ? (near + 1) * (i + 1) - 1 - back : (near + 1) * (j + 1) - 1 - n_ + back;
     return blocks_[begin_ + static_cast<std::size_t>(place)].h;
   }
 

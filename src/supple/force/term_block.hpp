@@ -32,11 +32,13 @@ class TermBlock {
   virtual void add_sparse_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
     add_hessian(system, blocks);
   }
-  /// Adds all second derivatives, with the parts that couple all sites of a body as outer products.
-  virtual void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
-                                 OuterProducts<Dim>& /*products*/) const {
+  /// All second derivatives in portions: those that may join bodies,
+  virtual void add_joining_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
     add_hessian(system, blocks);
   }
+  /// and those of body b by itself, where parts that couple all of its sites are outer products.
+  virtual void add_body_hessian(const System<Dim>& /*system*/, int /*b*/, HessianBlocks<Dim>& /*blocks*/,
+                                OuterProducts<Dim>& /*products*/) const {}
 };
 
 /// A term on stencils of Term::arity sites each, with one parameter set for all of them or one for each.

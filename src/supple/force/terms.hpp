@@ -41,10 +41,14 @@ class TermSet {
     }
   }
 
-  /// The same, with the parts that couple all sites of a body as outer products.
-  void add_split_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks,
-                         OuterProducts<Dim>& products) const {
-    for (const auto& block : blocks_) block->add_split_hessian(system, blocks, products);
+  /// The same in portions: the terms that may join bodies,
+  void add_joining_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks) const {
+    for (const auto& block : blocks_) block->add_joining_hessian(system, blocks);
+  }
+  /// and those of body b by itself, with the parts that couple all of its sites as outer products.
+  void add_body_hessian(const System<Dim>& system, int b, HessianBlocks<Dim>& blocks,
+                        OuterProducts<Dim>& products) const {
+    for (const auto& block : blocks_) block->add_body_hessian(system, b, blocks, products);
   }
 
   /// Name and energy of each term, in the order in which they were added.

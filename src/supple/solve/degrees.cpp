@@ -118,6 +118,12 @@ void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& block
                           const std::vector<Vec2>& force, std::vector<MatrixEntry>& entries) const {
   entries.clear();
   entries.reserve(4 * blocks.size());
+  add_blocks(system, blocks, entries);
+  for (const std::int32_t r : bodies_) add_turning(system, system.rigid.body[r], force, entries);
+}
+
+void BodyDegrees::add_blocks(const System<2>& system, const HessianBlocks<2>& blocks,
+                             std::vector<MatrixEntry>& entries) const {
   if (plain_) return copy_blocks(blocks, entries);
   for (const HessianBlock<2>& block : blocks) {
     const Columns rows = columns_of(system, block.a), columns = columns_of(system, block.b);
@@ -132,19 +138,23 @@ void BodyDegrees::hessian(const System<2>& system, const HessianBlocks<2>& block
         entries.emplace_back(std::max(p.index, q.index), std::min(p.index, q.index), value);
       }
   }
-  // d2x/d(angle)2 = -arm.
-  for (const std::int32_t r : bodies_) {
-    const int b = system.rigid.body[r], first_site = system.topology.body_begin(b);
-    double value = 0;
-    for (int i = first_site; i < system.topology.body_end(b); ++i)
-      value += dot(force[i], system.state.position[i] - system.rigid.centre[r]);
-    const std::int32_t angle = first_[first_site] + 2;
-    entries.emplace_back(angle, angle, value * system.rigid.mass[r] / system.rigid.inertia[r]);
-  }
+}
+
+void BodyDegrees::add_turning(const System<2>& system, int b, const std::vector<Vec2>& force,
+                              std::vector<MatrixEntry>& entries) const {
+  const int first_site = system.topology.body_begin(b);
+  const std::int32_t r = rigid_[first_site];
+  if (r < 0 || first_[first_site] < 0) return;
+  double value = 0;  // d2x/d(angle)2 = -arm
+  for (int i = first_site; i < system.topology.body_end(b); ++i)
+    value += dot(force[i], system.state.position[i] - system.rigid.centre[r]);
+  const std::int32_t angle = first_[first_site] + 2;
+  entries.emplace_back(angle, angle, value * system.rigid.mass[r] / system.rigid.inertia[r]);
 }
 
 std::vector<double> BodyDegrees::masses(const System<2>& system) const {
   std::vector<double> masses;
+  masses.reserve(static_cast<std::size_t>(size_));
   for (const std::int32_t i : sites_) masses.insert(masses.end(), 2, system.state.mass[i]);
   // Angle times radius of gyration has the mass of the body.
   for (const std::int32_t r : bodies_) masses.insert(masses.end(), 3, system.rigid.mass[r]);

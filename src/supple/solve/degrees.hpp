@@ -40,6 +40,15 @@ class BodyDegrees {
   /// The same, into a vector whose memory is used again.
   void hessian(const System<2>& system, const HessianBlocks<2>& blocks, const std::vector<Vec2>& force,
                std::vector<MatrixEntry>& entries) const;
+  /// The parts of hessian(): J^T H J of `blocks`, added to `entries`,
+  void add_blocks(const System<2>& system, const HessianBlocks<2>& blocks,
+                  std::vector<MatrixEntry>& entries) const;
+  /// and the sum of dU/dx d2x/dq2 over the sites of body b, which is nothing unless it is rigid and not held.
+  void add_turning(const System<2>& system, int b, const std::vector<Vec2>& force,
+                   std::vector<MatrixEntry>& entries) const;
+  /// The first number of a free site, or of the rigid body that it belongs to; -1: it does not move.
+  std::int32_t first_number(std::int32_t site) const { return first_[site]; }
+  bool is_rigid(std::int32_t site) const { return rigid_[site] >= 0; }
   /// Mass of each number q_k: mass d2q_k/dt2 = -dU/dq_k.
   std::vector<double> masses(const System<2>& system) const;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "supple/core/parallel.hpp"
+#include "supple/core/disjoint_sets.hpp"
 
 namespace supple {
 
@@ -12,120 +12,169 @@ namespace {
 
 constexpr int iterations = 30;
 
-struct Element {
-  std::int32_t column;
-  double value;
-};
-
 /// Numbers that entries or parts connect, however far, are a set: a matrix of its own. In a new order each
-/// set stands together, its numbers in their old order.
+/// set stands together, its numbers in their old order. It begins at an even number; where the next one would
+/// not, a number without entries comes between.
 class Sets {
  public:
-  Sets(const std::vector<MatrixEntry>& lower, const std::vector<OuterPart>& outer, int size)
-      : parent_(static_cast<std::size_t>(size)), place_(parent_.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    for (const MatrixEntry& e : lower) join(e.row(), e.col());
+  void find(const std::vector<MatrixEntry>& lower, const std::vector<OuterPart>& outer, int size) {
+    joined_.separate(size);
+    for (const MatrixEntry& e : lower)
+      if (e.row() != e.col()) joined_.merge(e.row(), e.col());
     for (const OuterPart& part : outer)
-      for (const std::int32_t k : part.index) join(k, part.index[0]);
-    std::vector<std::int32_t> set(parent_.size());
-    int count = 0;
-    for (std::int32_t k = 0; k < size; ++k)
-      set[k] = root(k) == k ? count++ : set[root(k)];  // a root is first
-    begin_.assign(static_cast<std::size_t>(count) + 1, 0);
-    for (const std::int32_t s : set) ++begin_[s + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<std::int32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::int32_t k = 0; k < size; ++k) place_[k] = next[set[k]]++;
-    parts_.resize(static_cast<std::size_t>(count));
-    for (const OuterPart& part : outer)
-      if (!part.index.empty()) parts_[set[part.index[0]]].push_back(moved(part));
+      for (const std::int32_t k : part.index) joined_.merge(k, part.index[0]);
+    set_.resize(static_cast<std::size_t>(size));
+    begin_.assign(1, 0);
+    for (std::int32_t k = 0; k < size; ++k) {
+      const std::int32_t root = joined_.root(k);
+      if (root == k) begin_.push_back(0);
+      set_[k] = root == k ? count() - 1 : set_[root];  // a root comes first
+      ++begin_[set_[k] + 1];
+    }
+    for (int s = 0; s < count(); ++s) begin_[s + 1] = begin_[s] + (begin_[s + 1] + 1) / 2 * 2;
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    place_.resize(set_.size());
+    for (std::int32_t k = 0; k < size; ++k) place_[k] = next_[set_[k]]++;
   }
 
-  int count() const { return static_cast<int>(parts_.size()); }
+  int count() const { return static_cast<int>(begin_.size()) - 1; }
   /// New numbers of a set: begin(s) up to begin(s + 1).
   std::int32_t begin(int set) const { return begin_[set]; }
-  /// New number of each old one.
+  std::int32_t size() const { return begin_.back(); }
+  /// New number of each old one, and its set.
   std::int32_t place(std::int32_t old) const { return place_[old]; }
-  const std::vector<OuterPart>& parts(int set) const { return parts_[set]; }
+  std::int32_t set(std::int32_t old) const { return set_[old]; }
 
  private:
-  std::int32_t root(std::int32_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  OuterPart moved(OuterPart part) const {
-    for (std::int32_t& k : part.index) k = place_[k];
-    return part;
-  }
-
-  std::vector<std::int32_t> parent_, place_, begin_;
-  std::vector<std::vector<OuterPart>> parts_;
+  DisjointSets joined_{0};
+  std::vector<std::int32_t> set_, begin_, next_, place_;
 };
 
-/// The lower triangle in the new order, row by row: columns ascend, and entries of one place are summed in
-/// their order.
-class Rows {
+/// The outer parts in the new order, one set after the other.
+class Parts {
  public:
-  Rows(const std::vector<MatrixEntry>& lower, const Sets& sets, int size)
-      : begin_(static_cast<std::size_t>(size) + 1, 0) {
-    for (const MatrixEntry& e : lower) ++begin_[sets.place(e.row()) + 1];
-    for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-    elements_.resize(lower.size());
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (const MatrixEntry& e : lower)
-      elements_[next[sets.place(e.row())]++] = {sets.place(e.col()), e.value()};
-    std::size_t kept = 0;
-    for (int row = 0; row < size; ++row) kept = sum_up(row, kept);
-    begin_.back() = kept;
-    elements_.resize(kept);
+  void arrange(const std::vector<OuterPart>& outer, const Sets& sets) {
+    order_.clear();
+    for (const OuterPart& part : outer)
+      if (!part.index.empty()) order_.push_back(&part);
+    const auto set_of = [&](const OuterPart* part) { return sets.set(part->index[0]); };
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](const OuterPart* a, const OuterPart* b) { return set_of(a) < set_of(b); });
+    first_.assign(static_cast<std::size_t>(sets.count()) + 1, 0);
+    for (const OuterPart* part : order_) ++first_[set_of(part) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    begin_.assign(1, 0);
+    members_.clear();
+    at_.assign(static_cast<std::size_t>(sets.size()), {});
+    for (const OuterPart* part : order_) {
+      for (std::size_t k = 0; k < part->index.size(); ++k) {
+        const std::int32_t number = sets.place(part->index[k]);
+        members_.push_back({number, std::abs(part->slope[k]), std::abs(part->factor * part->slope[k])});
+        at_[number] = {part, part->slope[k]};
+      }
+      begin_.push_back(members_.size());
+    }
   }
 
-  int size() const { return static_cast<int>(begin_.size()) - 1; }
-  /// Replaces each value by `f(row, column, value)`.
-  template <class Change>
-  void change(Change&& f) {
-    for (int row = 0; row < size(); ++row)
-      for (std::size_t k = begin_[row]; k < begin_[row + 1]; ++k)
-        elements_[k].value = f(row, elements_[k].column, elements_[k].value);
+  /// What the parts have at a place of the matrix.
+  double at(std::int32_t row, std::int32_t column) const {
+    const At &r = at_[row], &c = at_[column];
+    return r.part && r.part == c.part ? r.part->factor * r.slope * c.slope : 0;
   }
-  /// y += A x, of rows that form a set.
-  void add_product(std::int32_t first, std::int32_t last, const std::vector<double>& x,
-                   std::vector<double>& y) const {
-    for (std::int32_t row = first; row < last; ++row) {
-      const double x_row = x[row];
+
+  /// y += A x of the parts of a set, all without signs.
+  void add_product(int set, const std::vector<double>& x, std::vector<double>& y) const {
+    for (std::int32_t part = first_[set]; part < first_[set + 1]; ++part) {
       double sum = 0;
-      for (std::size_t k = begin_[row]; k < begin_[row + 1]; ++k) {
-        const auto& [column, value] = elements_[k];
-        sum += value * x[column];
-        if (column != row) y[column] += value * x_row;
-      }
-      y[row] += sum;
+      for (std::size_t k = begin_[part]; k < begin_[part + 1]; ++k)
+        sum += members_[k].slope * x[members_[k].number];
+      for (std::size_t k = begin_[part]; k < begin_[part + 1]; ++k)
+        y[members_[k].number] += members_[k].pull * sum;
     }
   }
 
  private:
-  /// Moves what is left of a row to `kept`, behind the rows before it.
-  std::size_t sum_up(int row, std::size_t kept) {
-    const auto first = elements_.begin() + static_cast<std::ptrdiff_t>(begin_[row]),
-               last = elements_.begin() + static_cast<std::ptrdiff_t>(begin_[row + 1]);
-    sort_by_column(first, last);
-    begin_[row] = kept;
-    for (auto e = first; e != last; ++e) {
-      if (kept > begin_[row] && elements_[kept - 1].column == e->column)
-        elements_[kept - 1].value += e->value;
-      else elements_[kept++] = *e;
+  struct Member {
+    std::int32_t number;
+    double slope, pull;  ///< |slope| and |factor slope|
+  };
+  struct At {
+    const OuterPart* part = nullptr;
+    double slope = 0;
+  };
+  std::vector<const OuterPart*> order_;
+  std::vector<std::int32_t> first_;  ///< of each set
+  std::vector<std::size_t> begin_;   ///< of each part
+  std::vector<Member> members_;
+  std::vector<At> at_;
+};
+
+/// The lower triangle of |A| in the new order, without what the parts without signs have: of each pair of
+/// rows 2p, 2p + 1 the block on the diagonal, and other blocks by ascending columns. Entries of one place are
+/// summed in their order.
+class PairRows {
+ public:
+  void arrange(const std::vector<MatrixEntry>& lower, const Sets& sets, const Parts& parts) {
+    const std::int32_t pairs = sets.size() / 2;
+    next_.assign(static_cast<std::size_t>(pairs) + 1, 0);
+    for (const MatrixEntry& e : lower) ++next_[sets.place(e.row()) / 2 + 1];
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    elements_.resize(lower.size());
+    for (const MatrixEntry& e : lower) {
+      const std::int32_t row = sets.place(e.row());
+      elements_[next_[row / 2]++] = {sets.place(e.col()), row % 2, e.value()};
     }
-    return kept;
+    diagonal_.assign(static_cast<std::size_t>(pairs), {});
+    blocks_.clear();
+    begin_.assign(1, 0);
+    auto first = elements_.begin();
+    for (std::int32_t p = 0; p < pairs; ++p) {
+      const auto last = elements_.begin() + static_cast<std::ptrdiff_t>(next_[p]);
+      sort_by_pair(first, last);
+      while (first != last) first = add_block(p, first, last, parts);
+      begin_.push_back(blocks_.size());
+    }
   }
 
-  /// Those of one column stay in their order.
+  /// y = A x, of rows that form a set.
+  void product(std::int32_t first, std::int32_t last, const std::vector<double>& x,
+               std::vector<double>& y) const {
+    for (std::int32_t p = first / 2; p < last / 2; ++p) {
+      const double x0 = x[2 * p], x1 = x[2 * p + 1];
+      double sum0 = 0, sum1 = 0;
+      for (std::size_t k = begin_[p]; k < begin_[p + 1]; ++k) {
+        const auto& [column, h] = blocks_[k];
+        const double* from = &x[column];
+        double* to = &y[column];
+        sum0 = sum0 + h[0][0] * from[0] + h[0][1] * from[1];
+        sum1 = sum1 + h[1][0] * from[0] + h[1][1] * from[1];
+        to[0] = to[0] + h[0][0] * x0 + h[1][0] * x1;
+        to[1] = to[1] + h[0][1] * x0 + h[1][1] * x1;
+      }
+      const auto& [d00, d10, d11] = diagonal_[p];
+      y[2 * p] = sum0 + d00 * x0 + d10 * x1;
+      y[2 * p + 1] = sum1 + d10 * x0 + d11 * x1;
+    }
+  }
+
+ private:
+  struct Element {
+    std::int32_t column = 0, odd_row = 0;
+    double value = 0;
+    std::int32_t pair() const { return column / 2; }
+  };
+  struct Block {
+    std::int32_t column;  ///< the first of two
+    double h[2][2];
+  };
+  struct Diagonal {
+    double h00 = 0, h10 = 0, h11 = 0;
+  };
+
+  /// Those of one pair of columns stay in their order.
   template <class Iterator>
-  static void sort_by_column(Iterator first, Iterator last) {
-    const auto before = [](const Element& a, const Element& b) { return a.column < b.column; };
+  static void sort_by_pair(Iterator first, Iterator last) {
+    const auto before = [](const Element& a, const Element& b) { return a.pair() < b.pair(); };
     constexpr std::ptrdiff_t few = 40;
     if (last - first > few) return std::stable_sort(first, last, before);
     for (auto e = first; e != last; ++e) {
@@ -136,71 +185,94 @@ class Rows {
     }
   }
 
-  std::vector<std::size_t> begin_;
+  /// Adds the block of the columns of the first element. Returns the first one of other columns.
+  template <class Iterator>
+  Iterator add_block(std::int32_t pair, Iterator e, Iterator last, const Parts& parts) {
+    const std::int32_t of = e->pair();
+    double h[2][2] = {};
+    for (; e != last && e->pair() == of; ++e) h[e->odd_row][e->column % 2] += e->value;
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c) {
+        const double product = parts.at(2 * pair + r, 2 * of + c);
+        h[r][c] = std::abs(h[r][c] + product) - std::abs(product);
+      }
+    if (of == pair) diagonal_[pair] = {h[0][0], h[1][0], h[1][1]};
+    else if (h[0][0] != 0 || h[0][1] != 0 || h[1][0] != 0 || h[1][1] != 0)
+      blocks_.push_back({2 * of, {{h[0][0], h[0][1]}, {h[1][0], h[1][1]}}});
+    return e;
+  }
+
+  std::vector<std::size_t> next_, begin_;
   std::vector<Element> elements_;
+  std::vector<Block> blocks_;
+  std::vector<Diagonal> diagonal_;
 };
 
-/// |A| as the outer parts without signs and, at the places of entries, what is missing from them.
-void take_absolute(Rows& rows, const Sets& sets) {
-  std::vector<const OuterPart*> part(static_cast<std::size_t>(rows.size()), nullptr);
-  std::vector<double> slope(part.size(), 0.0);
-  for (int s = 0; s < sets.count(); ++s)
-    for (const OuterPart& p : sets.parts(s))
-      for (std::size_t k = 0; k < p.index.size(); ++k) {
-        part[p.index[k]] = &p;
-        slope[p.index[k]] = p.slope[k];
-      }
-  rows.change([&](int row, std::int32_t column, double value) {
-    const bool meet = part[row] && part[row] == part[column];
-    const double product = meet ? part[row]->factor * slope[row] * slope[column] : 0;
-    return std::abs(value + product) - std::abs(product);
-  });
+struct Largest {
+  double value = 0, ratio = 0;
+};
+
+/// The largest y_k and y_k/x_k of k in [first, last), none of which is below zero. In lanes: a maximum is the
+/// same in any order.
+Largest largest_of(const std::vector<double>& x, const std::vector<double>& y, std::int32_t first,
+                   std::int32_t last) {
+  const auto larger = [](double a, double b) { return a < b ? b : a; };
+  constexpr int lanes = 8;
+  double value[lanes] = {}, ratio[lanes] = {};
+  std::int32_t k = first;
+  for (; k + lanes <= last; k += lanes)
+    for (int lane = 0; lane < lanes; ++lane) {
+      value[lane] = larger(value[lane], y[k + lane]);
+      ratio[lane] = larger(ratio[lane], y[k + lane] / x[k + lane]);
+    }
+  Largest all;
+  for (; k < last; ++k) all = {larger(all.value, y[k]), larger(all.ratio, y[k] / x[k])};
+  for (int lane = 0; lane < lanes; ++lane)
+    all = {larger(all.value, value[lane]), larger(all.ratio, ratio[lane])};
+  return all;
 }
 
 /// x and y have room for all numbers, of which those of the set are used; x = 1. A bound of `least` or less
 /// is not sharpened further.
-double bound_of_set(const Rows& rows, const Sets& sets, int set, double least, std::vector<double>& x,
-                    std::vector<double>& y) {
+double bound_of_set(const Sets& sets, const Parts& parts, const PairRows& rows, int set, double least,
+                    std::vector<double>& x, std::vector<double>& y) {
   const std::int32_t first = sets.begin(set), last = sets.begin(set + 1);
   double bound = 0;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    std::fill(y.begin() + first, y.begin() + last, 0.0);
-    rows.add_product(first, last, x, y);
-    for (const OuterPart& part : sets.parts(set)) {
-      double sum = 0;
-      for (std::size_t k = 0; k < part.index.size(); ++k) sum += std::abs(part.slope[k]) * x[part.index[k]];
-      for (std::size_t k = 0; k < part.index.size(); ++k)
-        y[part.index[k]] += std::abs(part.factor * part.slope[k]) * sum;
-    }
-    double largest_ratio = 0, largest = 0;
-    for (std::int32_t k = first; k < last; ++k) {
-      largest_ratio = std::max(largest_ratio, y[k] / x[k]);
-      largest = std::max(largest, y[k]);
-    }
-    bound = iteration == 0 ? largest_ratio : std::min(bound, largest_ratio);
-    if (largest == 0 || bound <= least) break;
+    rows.product(first, last, x, y);
+    parts.add_product(set, x, y);
+    const Largest largest = largest_of(x, y, first, last);
+    bound = iteration == 0 ? largest.ratio : std::min(bound, largest.ratio);
+    if (largest.value == 0 || bound <= least) break;
     // Numbers that hardly anything connects to the stiffest ones must not vanish.
-    for (std::int32_t k = first; k < last; ++k) x[k] = y[k] / largest + 1e-3;
+    for (std::int32_t k = first; k < last; ++k) x[k] = y[k] / largest.value + 1e-3;
   }
   return bound;
 }
 
 }  // namespace
 
-double eigenvalue_bound(const std::vector<MatrixEntry>& lower, const std::vector<OuterPart>& outer,
-                        int size) {
-  const Sets sets(lower, outer, size);
-  Rows rows(lower, sets, size);
-  take_absolute(rows, sets);
-  std::vector<double> x(static_cast<std::size_t>(size), 1.0), y(x.size()), bound(x.size() + 1, 0.0);
-  for_chunks(sets.count(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-    double largest = 0;  // only the largest of all bounds counts: sets below one that is known need no more
-    for (auto s = static_cast<int>(begin); s < end; ++s) {
-      bound[s] = bound_of_set(rows, sets, s, largest, x, y);
-      largest = std::max(largest, bound[s]);
-    }
-  });
-  return *std::max_element(bound.begin(), bound.end());
+struct EigenvalueBound::Memory {
+  Sets sets;
+  Parts parts;
+  PairRows rows;
+  std::vector<double> x, y;
+};
+
+EigenvalueBound::EigenvalueBound() : memory_(std::make_unique<Memory>()) {}
+EigenvalueBound::~EigenvalueBound() = default;
+
+double EigenvalueBound::of(const std::vector<MatrixEntry>& lower, const std::vector<OuterPart>& outer,
+                           int size, double least) {
+  auto& [sets, parts, rows, x, y] = *memory_;
+  sets.find(lower, outer, size);
+  parts.arrange(outer, sets);
+  rows.arrange(lower, sets, parts);
+  x.assign(static_cast<std::size_t>(sets.size()), 1.0);
+  y.resize(x.size());
+  for (int s = 0; s < sets.count(); ++s)
+    least = std::max(least, bound_of_set(sets, parts, rows, s, least, x, y));
+  return least;
 }
 
 }  // namespace supple

@@ -2,29 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
 
+#include "supple/core/disjoint_sets.hpp"
 #include "supple/core/error.hpp"
-#include "supple/model/outer_product.hpp"
 #include "supple/solve/degrees.hpp"
 #include "supple/solve/eigenvalue_bound.hpp"
 
 namespace supple {
 
 namespace {
-
-/// The part of an outer product that free sites have, of masses 1.
-OuterPart part_of(const OuterProduct<2>& product, const std::vector<std::int32_t>& number_of_site,
-                  const std::vector<double>& mass) {
-  OuterPart part{product.factor, {}, {}};
-  for (std::size_t k = 0; k < product.slope.size(); ++k) {
-    const std::int32_t number = number_of_site[product.first + static_cast<std::int32_t>(k)];
-    for (int d = 0; d < 2 && number >= 0; ++d) {
-      part.index.push_back(number + d);
-      part.slope.push_back(product.slope[k][d] / std::sqrt(mass[number + d]));
-    }
-  }
-  return part;
-}
 
 /// Squared frequency of a site that six further neighbours and a wall press on.
 double further_contacts(const System<2>& system, const ForceField& forces) {
@@ -45,33 +34,160 @@ double further_contacts(const System<2>& system, const ForceField& forces) {
   return largest;
 }
 
-/// Divides each entry by the root of the masses of its row and column.
-void weigh(std::vector<MatrixEntry>& entries, const std::vector<double>& mass) {
-  double product = 1, root = 1;  // masses are mostly those of the entry before
-  for (MatrixEntry& e : entries) {
-    if (const double p = mass[e.row()] * mass[e.col()]; p != product) product = p, root = std::sqrt(p);
-    e = {e.row(), e.col(), e.value() / root};
+/// Bodies in batches that no block joins, each of about `batch_sites` sites or more: what one needs fits into
+/// a fast memory.
+class Batches {
+ public:
+  static constexpr int batch_sites = 2048;
+
+  Batches(const System<2>& system, HessianBlocks<2> joining) : blocks_(std::move(joining)) {
+    const int sites = system.state.size(), bodies = system.topology.body_count(sites);
+    const std::vector<std::int32_t> body_of_site = bodies_of_sites(system.topology, sites);
+    DisjointSets groups(bodies);
+    for (const HessianBlock<2>& block : blocks_) groups.merge(body_of_site[block.a], body_of_site[block.b]);
+    std::vector<std::int32_t> size(static_cast<std::size_t>(bodies)), of_body(size.size());
+    for (int b = 0; b < bodies; ++b) size[groups.root(b)] += system.topology.body_size(b);
+    int room = 0;
+    for (int b = 0; b < bodies; ++b) {
+      const std::int32_t root = groups.root(b);
+      if (root != b) {
+        of_body[b] = of_body[root];
+        continue;
+      }
+      if (room <= 0) ++count_, room = batch_sites;
+      of_body[b] = count_ - 1;
+      room -= size[b];
+    }
+    bodies_.resize(of_body.size());
+    std::iota(bodies_.begin(), bodies_.end(), 0);
+    sort_by_batch(bodies_, first_body_, [&](std::int32_t b) { return of_body[b]; });
+    sort_by_batch(blocks_, first_block_,
+                  [&](const HessianBlock<2>& block) { return of_body[body_of_site[block.a]]; });
   }
-}
+
+  int count() const { return count_; }
+  /// Ascending.
+  std::span<const std::int32_t> bodies(int batch) const { return part_of(bodies_, first_body_, batch); }
+  /// Those that join bodies of the batch, in their order.
+  std::span<const HessianBlock<2>> blocks(int batch) const { return part_of(blocks_, first_block_, batch); }
+
+ private:
+  /// Things of one batch stay in their order.
+  template <class Thing, class BatchOf>
+  void sort_by_batch(std::vector<Thing>& things, std::vector<std::size_t>& first, const BatchOf& batch_of) {
+    first.assign(static_cast<std::size_t>(count_) + 1, 0);
+    for (const Thing& thing : things) ++first[batch_of(thing) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    std::vector<Thing> sorted(things.size());
+    for (const Thing& thing : things) sorted[next[batch_of(thing)]++] = thing;
+    things.swap(sorted);
+  }
+  template <class Thing>
+  static std::span<const Thing> part_of(const std::vector<Thing>& things,
+                                        const std::vector<std::size_t>& first, int batch) {
+    return std::span(things).subspan(first[batch], first[batch + 1] - first[batch]);
+  }
+
+  int count_ = 0;
+  HessianBlocks<2> blocks_;
+  std::vector<std::int32_t> bodies_;
+  std::vector<std::size_t> first_body_, first_block_;
+};
+
+/// The mass-weighted Hessian of one batch after the other, in memory that is used again.
+class WeightedHessian {
+ public:
+  /// `force` holds the forces on the sites if there are rigid bodies.
+  WeightedHessian(const System<2>& system, const ForceField& forces, const std::vector<Vec2>& force)
+      : system_(system),
+        forces_(forces),
+        force_(force),
+        degrees_(system),
+        mass_(degrees_.masses(system)),
+        local_(mass_.size(), -1) {}
+
+  /// The bound of the eigenvalues of a batch, or `least`.
+  double bound(std::span<const std::int32_t> bodies, std::span<const HessianBlock<2>> joining, double least) {
+    blocks_.clear(), products_.clear(), entries_.clear(), parts_.clear();
+    for (const std::int32_t b : bodies) forces_.add_body_hessian(system_, b, blocks_, products_);
+    blocks_.insert(blocks_.end(), joining.begin(), joining.end());
+    degrees_.add_blocks(system_, blocks_, entries_);
+    for (const std::int32_t b : bodies) degrees_.add_turning(system_, b, force_, entries_);
+    const int size = number(bodies);
+    weigh();
+    for (const OuterProduct<2>& product : products_) parts_.push_back(part_of(product));
+    return bound_.of(entries_, parts_, size, least);
+  }
+
+ private:
+  /// Numbers what moves in the batch from 0 on, in the order of all numbers. Returns how many these are.
+  int number(std::span<const std::int32_t> bodies) {
+    int size = 0;
+    const auto add = [&](std::int32_t site, int count) {
+      const std::int32_t first = degrees_.first_number(site);
+      for (int k = 0; k < count && first >= 0; ++k) local_[first + k] = size++;
+    };
+    for (const std::int32_t b : bodies)
+      if (!degrees_.is_rigid(first_site(b)))
+        for (std::int32_t i = first_site(b); i < system_.topology.body_end(b); ++i) add(i, 2);
+    for (const std::int32_t b : bodies)
+      if (degrees_.is_rigid(first_site(b))) add(first_site(b), 3);
+    return size;
+  }
+  std::int32_t first_site(std::int32_t b) const { return system_.topology.body_begin(b); }
+
+  /// Divides each entry by the root of the masses of its row and column.
+  void weigh() {
+    double product = 1, root = 1;  // masses are mostly those of the entry before
+    for (MatrixEntry& e : entries_) {
+      if (const double p = mass_[e.row()] * mass_[e.col()]; p != product) product = p, root = std::sqrt(p);
+      e = {local_[e.row()], local_[e.col()], e.value() / root};
+    }
+  }
+
+  /// The part of an outer product that free sites have, of masses 1.
+  OuterPart part_of(const OuterProduct<2>& product) const {
+    OuterPart part{product.factor, {}, {}};
+    part.index.reserve(2 * product.slope.size());
+    part.slope.reserve(2 * product.slope.size());
+    for (std::size_t k = 0; k < product.slope.size(); ++k) {
+      const std::int32_t site = product.first + static_cast<std::int32_t>(k);
+      const std::int32_t number = degrees_.first_number(site);
+      for (int d = 0; d < 2 && number >= 0 && !degrees_.is_rigid(site); ++d) {
+        part.index.push_back(local_[number + d]);
+        part.slope.push_back(product.slope[k][d] / std::sqrt(mass_[number + d]));
+      }
+    }
+    return part;
+  }
+
+  const System<2>& system_;
+  const ForceField& forces_;
+  const std::vector<Vec2>& force_;
+  BodyDegrees degrees_;
+  std::vector<double> mass_;
+  std::vector<std::int32_t> local_;  ///< number in the batch of each number
+  HessianBlocks<2> blocks_;
+  OuterProducts<2> products_;
+  std::vector<MatrixEntry> entries_;
+  std::vector<OuterPart> parts_;
+  EigenvalueBound bound_;
+};
 
 }  // namespace
 
 double frequency_bound(System<2>& system, ForceField& forces) {
-  const BodyDegrees degrees(system);
   Evaluation<2> evaluation;
-  forces.evaluate(system, Detail::forces, evaluation);
-  HessianBlocks<2> blocks;
-  blocks.reserve(3 * static_cast<std::size_t>(system.state.size()));
-  OuterProducts<2> products;
-  forces.add_split_hessian(system, blocks, products);
-  std::vector<MatrixEntry> entries = degrees.hessian(system, blocks, evaluation.force);
-  const std::vector<double> mass = degrees.masses(system);
-  weigh(entries, mass);
-  std::vector<std::int32_t> number_of_site(static_cast<std::size_t>(system.state.size()), -1);
-  for (int k = 0; k < degrees.site_count(); ++k) number_of_site[degrees.sites()[k]] = 2 * k;
-  std::vector<OuterPart> parts;
-  for (const OuterProduct<2>& product : products) parts.push_back(part_of(product, number_of_site, mass));
-  return std::sqrt(eigenvalue_bound(entries, parts, degrees.size()) + further_contacts(system, forces));
+  if (!system.rigid.body.empty()) forces.evaluate(system, Detail::forces, evaluation);  // they turn bodies
+  HessianBlocks<2> joining;
+  forces.add_joining_hessian(system, joining);
+  const Batches batches(system, std::move(joining));
+  WeightedHessian hessian(system, forces, evaluation.force);
+  double square = 0;
+  for (int k = 0; k < batches.count(); ++k)
+    square = hessian.bound(batches.bodies(k), batches.blocks(k), square);
+  return std::sqrt(square + further_contacts(system, forces));
 }
 
 double default_step(System<2>& system, ForceField& forces, double fraction) {
