@@ -52,10 +52,54 @@ TEST(Factorisation, SolvesWhateverThePatternBecomes) {
     ASSERT_TRUE(factorisation.factorise(2 * shift));
     expect_solves(factorisation, lower, 2 * shift);
   }
-  const SparseMatrix smaller = random_matrix(20, 1);
-  factorisation.set(smaller);
-  ASSERT_TRUE(factorisation.factorise(9));
-  expect_solves(factorisation, smaller, 9);
+  for (const int n : {20, 21, 1}) {  // an odd number leaves half a block over
+    const SparseMatrix smaller = random_matrix(n, n);
+    factorisation.set(smaller);
+    ASSERT_TRUE(factorisation.factorise(9));
+    expect_solves(factorisation, smaller, 9);
+  }
+}
+
+/// No shift makes the row that fills the last block up a negative one.
+TEST(Factorisation, FindsNegativeCurvatureOfAnOddNumberOfRows) {
+  Factorisation factorisation;
+  const SparseMatrix lower = random_matrix(41, 7);
+  const double least = least_eigenvalue(lower);
+  factorisation.set(lower);
+  EXPECT_TRUE(factorisation.factorise(-least + 1e-6));
+  EXPECT_FALSE(factorisation.factorise(-least - 1e-6));
+  EXPECT_NEAR(factorisation.negative_curvature(), -1e-6, 1e-7);
+  EXPECT_FALSE(factorisation.factorise(-20));
+  EXPECT_GE(factorisation.negative_curvature(), least - 20);
+  EXPECT_LT(factorisation.negative_curvature(), -10);
+
+  SparseMatrix five;
+  sum_entries(1, {{0, 0, 5.0}}, five);
+  factorisation.set(five);
+  for (const double shift : {0.0, -1.0}) EXPECT_TRUE(factorisation.factorise(shift)) << shift;
+  EXPECT_FALSE(factorisation.factorise(-6));
+  EXPECT_EQ(factorisation.negative_curvature(), -1);
+}
+
+/// A chain of sites fills in nothing: one block below each pivot but the last. Of that block L needs 8
+/// multiplications, the next pivot 8, each triangle of a solution 4.
+TEST(Factorisation, CountsTheMultiplicationsOfAChain) {
+  constexpr int sites = 30;
+  std::vector<MatrixEntry> entries;
+  for (int k = 0; k < 2 * sites; ++k) {
+    entries.emplace_back(k, k, 4.0);
+    if (k % 2) entries.emplace_back(k, k - 1, 0.5);
+    if (k >= 2) entries.emplace_back(k, k - 2, -1.0);
+  }
+  SparseMatrix lower;
+  sum_entries(2 * sites, entries, lower);
+  Factorisation factorisation;
+  factorisation.set(lower);
+  ASSERT_TRUE(factorisation.factorise(0));
+  EXPECT_EQ(factorisation.factorise_work(), 16 * (sites - 1));
+  EXPECT_EQ(factorisation.solve_work(), 8 * (sites - 1));
+  EXPECT_EQ(factorisation.largest_diagonal(), 4);
+  expect_solves(factorisation, lower, 0);
 }
 
 TEST(Factorisation, FindsNegativeCurvature) {
