@@ -81,6 +81,15 @@ TEST_F(Hdf5, APlainFileHoldsItsNumbersAsTheyAre) {
   EXPECT_LT(bytes_of(compressed).size(), bytes / 10);
   EXPECT_GT(bytes_of(plain).size(), bytes);
   EXPECT_EQ(plain.open_group("within").read<double>("x"), compressed.read<double>("within/x"));
+
+  plain.open_group("within").set("unit", std::string("m"));
+  plain.open_group("within").write("none", std::vector<double>{});
+  Group copied = create_file("copied.h5");
+  copied.copy(plain, "within");
+  EXPECT_LT(bytes_of(copied).size(), bytes / 10);
+  EXPECT_EQ(copied.read<double>("within/x"), plain.read<double>("within/x"));
+  EXPECT_EQ(copied.open_group("within").text("unit"), "m");
+  EXPECT_THAT(copied.open_group("within").names(), ElementsAre("x", "none"));
 }
 
 TEST_F(Hdf5, ErrorsTellMissingForeignAndTruncatedFilesApart) {

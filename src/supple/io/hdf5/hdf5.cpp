@@ -150,6 +150,16 @@ void Group::remove(const std::string& name) {
 
 void Group::copy(const Group& from, const std::string& name) {
   const Quiet quiet;
+  if (from.is_group(name)) {
+    const Group source = from.open_group(name);
+    Group made = create_group(name);
+    made.copy_attributes(source);
+    for (const std::string& member : source.names()) made.copy(source, member);
+    return;
+  }
+  const Object list(H5Dget_create_plist(from.open_dataset(name).id()));
+  if (H5Pget_layout(list.id()) == H5D_CHUNKED)
+    return from.copy_rows(name, create_like(from, name, from.shape(name).at(0)), 0);
   checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
           "copy " + name + " to", where());
 }

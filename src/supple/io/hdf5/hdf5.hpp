@@ -68,7 +68,7 @@ class Group : public Object {
   Group open_group(const std::string& name) const;
   Object open_dataset(const std::string& name) const;
   void remove(const std::string& name);
-  /// Copies the member `name` of `from` with everything below it.
+  /// Copies the member `name` of `from` with everything below it; arrays are kept as those of this group are.
   void copy(const Group& from, const std::string& name);
   /// Copies everything in `from`; an array that is equal, bit for bit, to that of the same path in one of
   /// `likes`, groups of this file, becomes another name of it.
