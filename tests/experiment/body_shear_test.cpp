@@ -99,11 +99,13 @@ TEST_P(BodyShear, StressOfTheTableIsThatOfTheReport) {
 }
 
 /// From rest to rest the work that the account knows, of forces across the boundary and of changes of the
-/// rate, is that of the stress: V int tau dgamma. The two share no number.
-TEST_P(BodyShear, WorkOfTheBoundaryIsThatOfTheStress) {
+/// rate, is that of the stress: V int tau dgamma. The two share no number. Momentum that lags behind the flow
+/// makes a difference that falls with the square of the frequency, whatever the step: a tenth at a relative
+/// frequency of 0.05.
+TEST_P(BodyShear, WorkOfTheBoundaryIsThatOfTheStressWhereTheShearIsSlow) {
   Case c = small_gel(GetParam());
+  c.shear.relative_frequency = 0.003;
   c.shear.pre_periods = c.shear.post_periods = 0.1;
-  c.time.step_factor = 0.5;
   const MemoryRecorder r = result_of(c);
   const std::vector<double> stress = r.tables.at("stress").column("shear_stress_total"),
                             strain = r.tables.at("stress").column("strain");
@@ -114,7 +116,7 @@ TEST_P(BodyShear, WorkOfTheBoundaryIsThatOfTheStress) {
   const MemoryRecorder::Table& energy = r.tables.at("energy");
   const double booked = energy.column("work_images").back() + energy.column("work_shear_rate").back();
   EXPECT_GT(booked, 0);
-  EXPECT_NEAR(work, booked, 0.03 * booked);
+  EXPECT_NEAR(work, booked, 0.005 * booked);
 }
 
 TEST(BodyShear, WarnsWhereTheStressDoesNotTellTheLoss) {
@@ -165,7 +167,10 @@ TEST_P(BodyShear, LossesOfFrictionAloneAndOfDashpotsAloneCloseToSecondOrder) {
   friction.material.relative_viscosity = 0;
   dashpots.material.friction = 0;
   dashpots.particles.permanent_links = false;
-  for (const Case& c : {friction, dashpots}) EXPECT_LT(result_of(c).get("results", "energy_residual"), 1e-4);
+  for (Case c : {friction, dashpots}) {
+    c.time.step_factor = 0.5;
+    EXPECT_LT(result_of(c).get("results", "energy_residual"), 1e-4 / 2);
+  }
 }
 
 TEST(BodyShear, GoesOnFromAStateWithItsLinks) {
@@ -180,14 +185,16 @@ TEST(BodyShear, GoesOnFromAStateWithItsLinks) {
   EXPECT_EQ(next.tables.at("stress").column("strain").front(), first.last_system.box.strain);
 }
 
-/// A slow, small oscillation of a linked packing is the elastic response of its minimum of energy.
+/// A slow, small oscillation of a linked packing is the elastic response of its minimum of energy: within 3 %
+/// at a relative frequency of 5e-4 (two samples), but 6 to 80 % off at 2e-3 (five samples), where soft
+/// motions of the particles do not keep up.
 TEST(BodyShear, SlowSmallShearIsTheModulusOfMinimisedStates) {
   Case c = small_gel();
   c.material.friction = 0;
   c.material.relative_transversal_link_strength = 0;
   c.jamming.pressure = 5e-2;
   c.shear.amplitude = 1e-4;
-  c.shear.relative_frequency = 2e-3;
+  c.shear.relative_frequency = 5e-4;
   c.shear.pre_periods = 0.3;
   c.shear.periods = 2;
   const MemoryRecorder r = result_of(c);

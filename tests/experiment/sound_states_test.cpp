@@ -80,13 +80,23 @@ TEST(SoundStates, ARingThatTurnsOverIsAFailureOfTheRun) {
 
 TEST(SoundStates, ParticlesInsideOthersStopARunOrAreMarked) {
   Case c = case_of("shell", 16, 12);
+  if (const char* seed = std::getenv("SEED")) c.general.seed = std::atoi(seed);
   c.bodies.diameter_ratio = 0.6;
   c.jamming.pressure = 0.05;
-  MemoryRecorder recorder;
-  EXPECT_THAT(stopped(c, recorder), HasSubstr("diameter_ratio"));
+  // About every second sample has such a particle.
+  std::string what;
+  for (c.general.seed = 1; c.general.seed < 9; ++c.general.seed) {
+    MemoryRecorder recorder;
+    if (what = stopped(c, recorder); what != "it ran to its end") break;
+  }
+  EXPECT_THAT(what, HasSubstr("diameter_ratio"));
   c.contact.unsound = "mark";
   MemoryRecorder marked;
-  run(c, nullptr, marked);
+  for (c.general.seed = 1; c.general.seed < 9; ++c.general.seed) {
+    marked = {};
+    run(c, nullptr, marked);
+    if (marked.get("results", "unsound") > 0) break;
+  }
   EXPECT_THAT(marked.warnings, Contains(HasSubstr("those of no packing")));
   EXPECT_GT(marked.tables.at("packing").column("unsound").back(), 0);
   const std::vector<double>& where = marked.frames.back().body.at("unsound");
@@ -176,6 +186,7 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
 /// Vertices so small that others pass between them from the start are refused before anything is computed.
 TEST(SoundStates, HolesBetweenVerticesAreRefusedAtTheStart) {
   Case c = case_of("shell", 16, 12);
+  if (const char* seed = std::getenv("SEED")) c.general.seed = std::atoi(seed);
   c.bodies.diameter_ratio = 0.5;
   try {
     make_packing(c, nullptr, 0.4);

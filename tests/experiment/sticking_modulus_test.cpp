@@ -25,7 +25,7 @@ Case slow_small_shear() {
   c.particles.avoid_height_spanning_particles = false;
   c.material.friction = 1e3;  // nothing slips
   c.shear.amplitude = 1e-4;
-  c.shear.relative_frequency = 2e-3;
+  c.shear.relative_frequency = 5e-4;  // at 2e-3 soft motions do not keep up in some samples: up to 13 % off
   c.shear.pre_periods = 0.3;
   c.shear.periods = 2;
   c.shear.post_periods = 0;
