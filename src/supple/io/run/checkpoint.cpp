@@ -69,7 +69,7 @@ void write_one(h5::Group& systems, const std::string& name, const System<2>& sys
   for (const std::string& earlier : systems.names()) before.push_back(systems.open_group(earlier));
   h5::Group group = systems.create_group(name);
   if (before.empty()) return write_system(group, system, reduced_units());
-  h5::Group whole = h5::create_file("a system", h5::Storage::plain);
+  h5::Group whole = h5::create_file("a system");
   write_system(whole, system, reduced_units());
   group.copy_or_share(whole, before);
 }
@@ -205,7 +205,7 @@ RunStart read_start(const std::string& folder) {
 
 h5::Group begin_checkpoint(const std::string& folder, const std::string& case_text,
                            const Checkpoint& checkpoint) {
-  h5::Group root = h5::create_file(folder + "/checkpoint", h5::Storage::plain);
+  h5::Group root = h5::create_file(folder + "/checkpoint");
   root.set("format", std::string(checkpoint_format));
   root.set("supple_version", std::string(version()));
   root.set("case", crc_of(case_text));
