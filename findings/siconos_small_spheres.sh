@@ -2,16 +2,16 @@
 # Siconos 4.4.0 (Debian 12: python3-siconos 4.4.0+dfsg-2), contact dynamics without springs: a sphere falls half its radius onto
 # a plate five diameters thick and stays there, restitution 0; in 1000 steps, all lengths by the radius.
 #
-# Guess: at rest the centre is one radius above the plate, less the way of a step, at every radius in metres.
+# Guess: its centre ends one radius above the plate, less the way of a step, at every radius in metres.
 # Seen: so for radii from 1 down to 0.002. A sphere of one millimetre falls into the plate and rests 2.6 radii below its surface,
-# one of 0.5 mm sinks by half its radius, one of 0.1 mm floats a third of it above: the collision library has lengths of
-# its own. No error or warning. With SiconosBulletOptions().worldScale = 1 / radius, handed to run() as bullet_options, all rest
-# at 1.0.
-#   radius 1: at rest at 1.0 radii, with worldScale 1.0
-#   radius 0.01: at rest at 1.0 radii, with worldScale 1.0
-#   radius 0.001: at rest at -2.6 radii, with worldScale 1.0
-#   radius 0.0005: at rest at 0.5 radii, with worldScale 1.0
-#   radius 0.0001: at rest at 1.4 radii, with worldScale 1.0
+# one of 0.5 mm hovers, turns and then sinks, one of 0.1 mm hovers 0.4 of its radius above: the collision library has lengths
+# of its own. No error or warning. With SiconosBulletOptions().worldScale = 1 / radius, handed to run() as bullet_options, all
+# end at 1.0.
+#   radius 1: ends at 1.0 radii, with worldScale 1.0
+#   radius 0.01: ends at 1.0 radii, with worldScale 1.0
+#   radius 0.001: ends at -2.6 radii, with worldScale 1.0
+#   radius 0.0005: ends at 0.5 radii, with worldScale 1.0
+#   radius 0.0001: ends at 1.4 radii, with worldScale 1.0
 set -euo pipefail
 want=4.4.0+dfsg-2
 version=$(dpkg-query -W -f='${Version}' python3-siconos 2>/dev/null || true)
@@ -44,13 +44,13 @@ def rest(radius, scale):
 with open("seen", "w") as seen:
     for radius in (1, 0.01, 0.001, 0.0005, 0.0001):
         plain, scaled = rest(radius, 1), rest(radius, 1 / radius)
-        seen.write(f"radius {radius:g}: at rest at {plain:.1f} radii, with worldScale {scaled:.1f}\n")
+        seen.write(f"radius {radius:g}: ends at {plain:.1f} radii, with worldScale {scaled:.1f}\n")
 PYTHON
 cat seen
 diff seen - <<'SEEN'
-radius 1: at rest at 1.0 radii, with worldScale 1.0
-radius 0.01: at rest at 1.0 radii, with worldScale 1.0
-radius 0.001: at rest at -2.6 radii, with worldScale 1.0
-radius 0.0005: at rest at 0.5 radii, with worldScale 1.0
-radius 0.0001: at rest at 1.4 radii, with worldScale 1.0
+radius 1: ends at 1.0 radii, with worldScale 1.0
+radius 0.01: ends at 1.0 radii, with worldScale 1.0
+radius 0.001: ends at -2.6 radii, with worldScale 1.0
+radius 0.0005: ends at 0.5 radii, with worldScale 1.0
+radius 0.0001: ends at 1.4 radii, with worldScale 1.0
 SEEN
