@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <map>
 
 #include "supple/core/checksum.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -260,11 +261,15 @@ TEST_F(Checkpoints, AreAtMostTwiceAsLargeAsTheState) {
     }
     std::uintmax_t largest = 0;
   };
-  for (const std::string experiment : {"jamming", "compression", "uniaxial_compression", "slump"}) {
+  // Arrays of 320 sites are too large for headers. Searches for a pressure keep up to three states, so that
+  // there it holds for small ones alone.
+  const std::map<std::string, int> vertices{
+      {"jamming", 40}, {"compression", 16}, {"uniaxial_compression", 16}, {"slump", 40}};
+  for (const auto& [experiment, number] : vertices) {
     Case c;
     c.general.experiment = experiment;
     c.bodies.count = 8;
-    c.bodies.vertices = 16;
+    c.bodies.vertices = number;
     c.jamming.pressure = 1e-3;
     c.compression.highest_pressure = 2e-3;
     c.compression.per_decade = 3;
