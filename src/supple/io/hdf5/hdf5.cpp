@@ -27,7 +27,7 @@ H5_index_t order_of(hid_t group) {
 
 std::vector<char> bytes_in(const Object& dataset, hid_t type, const Shape& shape) {
   std::vector<char> bytes(H5Tget_size(type) * believable_count(dataset, type, shape, dataset.where()));
-  checked(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", dataset.where());
+  checked(H5Dread(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", dataset);
   return bytes;
 }
 
@@ -69,7 +69,7 @@ std::string Object::where() const {
 
 bool Object::has_attribute(const std::string& name) const {
   const Quiet quiet;
-  return checked(H5Aexists(id_, name.c_str()), "look for attribute " + name + " of", where()) > 0;
+  return checked(H5Aexists(id_, name.c_str()), "look for attribute " + name + " of", *this) > 0;
 }
 void Object::set(const std::string& name, double value) {
   set_attribute<double>(id_, name, {&value, 1}, {}, where());
@@ -100,7 +100,7 @@ bool Group::has(const std::string& name) const {
   const Quiet quiet;
   for (auto end = name.find('/');; end = name.find('/', end + 1)) {
     const std::string path = name.substr(0, end);
-    if (checked(H5Lexists(id(), path.c_str(), H5P_DEFAULT), "look for " + path + " in", where()) == 0)
+    if (checked(H5Lexists(id(), path.c_str(), H5P_DEFAULT), "look for " + path + " in", *this) == 0)
       return false;
     if (end == name.npos) return true;
   }
@@ -108,7 +108,7 @@ bool Group::has(const std::string& name) const {
 
 bool Group::is_group(const std::string& name) const {
   const Quiet quiet;
-  const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where()));
+  const Object member(checked(H5Oopen(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", *this));
   return H5Iget_type(member.id()) == H5I_GROUP;
 }
 
@@ -117,7 +117,7 @@ std::vector<std::string> Group::names() const {
   // One by one: H5Literate 1.10.8 gathers the members first and frees what it never set where one of a large
   // group cannot be read.
   H5G_info_t info{};
-  checked(H5Gget_info(id(), &info), "list", where());
+  checked(H5Gget_info(id(), &info), "list", *this);
   std::vector<std::string> out;
   for (hsize_t k = 0; k < info.nlinks; ++k) out.push_back(name_of_member(id(), order_of(id()), k, where()));
   return out;
@@ -128,24 +128,24 @@ Group Group::create_group(const std::string& name) {
   const Object list(H5Pcreate(H5P_GROUP_CREATE));
   H5Pset_link_creation_order(list.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   return Group(checked(H5Gcreate2(id(), name.c_str(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
-                       "create group " + name + " in", where()),
+                       "create group " + name + " in", *this),
                storage_);
 }
 
 Group Group::open_group(const std::string& name) const {
   const Quiet quiet;
-  return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", where()),
+  return Group(checked(H5Gopen2(id(), name.c_str(), H5P_DEFAULT), "open group " + name + " in", *this),
                storage_);
 }
 
 Object Group::open_dataset(const std::string& name) const {
   const Quiet quiet;
-  return own(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", where());
+  return own(H5Dopen2(id(), name.c_str(), H5P_DEFAULT), "open " + name + " in", *this);
 }
 
 void Group::remove(const std::string& name) {
   const Quiet quiet;
-  checked(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), "remove " + name + " from", where());
+  checked(H5Ldelete(id(), name.c_str(), H5P_DEFAULT), "remove " + name + " from", *this);
 }
 
 void Group::copy(const Group& from, const std::string& name) {
@@ -161,7 +161,7 @@ void Group::copy(const Group& from, const std::string& name) {
   if (H5Pget_layout(list.id()) == H5D_CHUNKED)
     return from.copy_rows(name, create_like(from, name, from.shape(name).at(0)), 0);
   checked(H5Ocopy(from.id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-          "copy " + name + " to", where());
+          "copy " + name + " to", *this);
 }
 
 void Group::copy_or_share(const Group& from, const std::vector<Group>& likes) {
@@ -182,7 +182,7 @@ void Group::copy_or_share(const Group& from, const std::vector<Group>& likes) {
     if (same == likes.end()) copy(from, name);
     else
       checked(H5Lcreate_hard(same->id(), name.c_str(), id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-              "create " + name + " in", where());
+              "create " + name + " in", *this);
   }
 }
 
@@ -205,11 +205,11 @@ Group create_file(const std::string& name, Storage storage) {
 
 std::string_view bytes_of(const Group& root) {
   const Quiet quiet;
-  const Object file(checked(H5Iget_file_id(root.id()), "write", root.where()));
-  checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root.where());
-  const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root.where());
+  const Object file(checked(H5Iget_file_id(root.id()), "write", root));
+  checked(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "write", root);
+  const auto size = checked(H5Fget_file_image(file.id(), nullptr, 0), "write", root);
   void** bytes = nullptr;
-  checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, reinterpret_cast<void**>(&bytes)), "write", root.where());
+  checked(H5Fget_vfd_handle(file.id(), H5P_DEFAULT, reinterpret_cast<void**>(&bytes)), "write", root);
   return {static_cast<const char*>(*bytes), static_cast<std::size_t>(size)};
 }
 

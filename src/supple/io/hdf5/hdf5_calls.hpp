@@ -31,19 +31,23 @@ class Quiet {
 };
 
 /// The file error after a call of HDF5 that failed: "cannot <action> <where>", why, what to do, and at the
-/// end in brackets the most specific message of HDF5.
+/// end in brackets the most specific message of HDF5. Of an object, it asks for its name when it knows the
+/// message, which each call of HDF5 forgets.
 Error fault(const std::string& action, const std::string& where);
+Error fault(const std::string& action, const Object& at);
 
-/// Returns a good result; throws fault() for a negative one.
-template <class Result>
-Result checked(Result result, const std::string& action, const std::string& where) {
-  if (result < 0) throw fault(action, where);
+/// Returns a good result; throws fault() for a negative one. `at` is an object, or a text that was made
+/// before the call whose result this is: compilers differ in which argument comes first.
+template <class Result, class At>
+Result checked(Result result, const std::string& action, const At& at) {
+  if (result < 0) throw fault(action, at);
   return result;
 }
 
 /// Owns an id (of a space, type, property list or attribute); throws fault() where it is negative.
-inline Object own(hid_t id, const std::string& action, const std::string& where) {
-  return Object(checked(id, action, where));
+template <class At>
+Object own(hid_t id, const std::string& action, const At& at) {
+  return Object(checked(id, action, at));
 }
 
 /// The HDF5 type of numbers T in memory.

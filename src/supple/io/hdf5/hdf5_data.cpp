@@ -76,7 +76,7 @@ Object Group::write(const std::string& name, std::span<const T> values, const Sh
                                   storage_, where());
   if (!values.empty())
     checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
-            dataset.where());
+            dataset);
   return dataset;
 }
 
@@ -89,9 +89,9 @@ Object Group::write_scalar(const std::string& name, const T& value) {
   const Object space = space_of({});
   Object dataset =
       own(H5Dcreate2(id(), name.c_str(), buffer.type.id(), space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
-          "create " + name + " in", where());
+          "create " + name + " in", *this);
   checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
-          dataset.where());
+          dataset);
   return dataset;
 }
 
@@ -117,12 +117,11 @@ void Group::copy_rows(const std::string& name, const Object& to, std::uint64_t f
       first > all[0] || rows[0] > all[0] - first)
     throw file_error("cannot write " + to.where(), source.where() + " has another shape");
   std::vector<char> bytes(count * H5Tget_size(type.id()));
-  checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read",
-          source.where());
+  checked(H5Dread(source.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read", source);
   const Object memory_space = space_of(rows);
   select_rows(file_space.id(), all, first, rows[0]);
   checked(H5Dwrite(to.id(), type.id(), memory_space.id(), file_space.id(), H5P_DEFAULT, bytes.data()),
-          "write", to.where());
+          "write", to);
 }
 
 Shape Group::shape(const std::string& name) const {

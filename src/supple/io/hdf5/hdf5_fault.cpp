@@ -50,6 +50,12 @@ Fault fault_of(const std::string& said) {
   return {"it makes no sense as HDF5", "the file is damaged: " + copy_again};
 }
 
+Error error_after(const std::string& said, const std::string& action, const std::string& where) {
+  const Fault f = fault_of(said);
+  const std::string quote = said.empty() ? "" : " [HDF5: " + said + "]";
+  return file_error("cannot " + action + " " + where, f.why, f.to_do + quote);
+}
+
 }  // namespace
 
 Quiet::Quiet() : known_(H5Eget_auto2(H5E_DEFAULT, &print_, &data_) >= 0) {
@@ -61,10 +67,12 @@ Quiet::~Quiet() {
 }
 
 Error fault(const std::string& action, const std::string& where) {
+  return error_after(reason(), action, where);
+}
+
+Error fault(const std::string& action, const Object& at) {
   const std::string said = reason();
-  const Fault f = fault_of(said);
-  const std::string quote = said.empty() ? "" : " [HDF5: " + said + "]";
-  return file_error("cannot " + action + " " + where, f.why, f.to_do + quote);
+  return error_after(said, action, at.where());
 }
 
 }  // namespace supple::h5
