@@ -67,10 +67,10 @@ CONF
 export SLURM_CONF=$folder/slurm.conf
 slurmctld
 slurmd
-wait_for() { for _ in $(seq 150); do ! eval "$1" 2>/dev/null || return 0; sleep 0.1; done; echo "waited in vain: $1"; exit 1; }
+wait_for() { for _ in $(seq 300); do ! eval "$1" 2>/dev/null || return 0; sleep 0.1; done; echo "waited in vain: $1"; exit 1; }
 wait_for '[ "$(sinfo -h -o %T)" = idle ]'
 wait_on() { code=0; sbatch --quiet --wait --output=/dev/null "${@:2}" 2>>messages || code=$?; echo "$1: $code"; }
-wait_on "job cancelled while it ran" --wrap 'scancel $SLURM_JOB_ID; sleep 60' > ran &
+wait_on "job cancelled while it ran" --wrap 'sleep 1; scancel $SLURM_JOB_ID; sleep 60' > ran &
 wait_on "job cancelled before it began" --job-name=later --begin=now+3600 --wrap 'exit 3' > began &
 wait_on "array, first task fails with 3" --array=0-1 --wrap '[ $SLURM_ARRAY_TASK_ID = 1 ] || exit 3' > short &
 wait_for 'squeue -h -n later | grep -q .'
