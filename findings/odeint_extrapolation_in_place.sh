@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Boost.odeint 1.74 (Debian 12: libboost1.74-dev 1.74.0+ds1-21, compiled by g++): a stress that relaxes with time 1, from 1 to exp(-1)
-# = 0.367879, by adams_bashforth<ORDER>, which makes its first steps by extrapolation_stepper<ORDER>.
+# Boost.odeint 1.74 (Debian 12: libboost1.74-dev 1.74.0+ds1-21, compiled by g++): a stress that relaxes with time 1, from 1 to
+# exp(-1) = 0.367879, by adams_bashforth<ORDER>, which makes its first steps by extrapolation_stepper<ORDER>.
 #
 # Guess: the error goes with the step to the power of the order.
 # Seen: it goes with the step, at every order, and more of it the higher the order is. The stepper of the first steps, also on its
