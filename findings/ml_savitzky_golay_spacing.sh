@@ -6,8 +6,8 @@
 # Guess: 1 at every point, as a polynomial of degree 3 holds a straight line.
 # Seen: the polynomial is that of equal steps, over the mean step of the window. Over decades a window of 9 points has 0.87, another
 # number towards both ends, and 15 points, which should smooth, are worse, 0.66. Over moved points the derivative scatters by
-# 30% though there is no noise in y. The manual calls it an approximation for almost equal steps, and its examples have a vector
-# x that "could be non-equally spaced". Take log y over log x, which is equally spaced.
+# 30% though there is no noise in y. The manual calls it an approximation for almost equal steps. Take log y over log x, which is
+# equally spaced.
 #   equal steps, window 9: 1.00 to 1.00, inside 1.00 to 1.00
 #   10 a decade, window 5: 0.80 to 1.24, inside 0.97 to 0.97
 #   10 a decade, window 9: 0.68 to 1.48, inside 0.87 to 0.87
