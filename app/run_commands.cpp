@@ -27,14 +27,15 @@ namespace {
 
 /// The frame that pictures show by default: the first one with the largest strain; without strain, the last.
 std::int64_t telling_frame(const RunFile& run) {
-  std::int64_t best = 0;
+  const std::vector<double> strains = run.strains();
+  std::size_t best = 0;
   double largest = 0;
-  for (std::int64_t k = 0; k < run.frames(); ++k)
-    if (const double strain = std::abs(run.frame(k).strain); strain > largest * (1 + 1e-9)) {
+  for (std::size_t k = 0; k < strains.size(); ++k)
+    if (const double strain = std::abs(strains[k]); strain > largest * (1 + 1e-9)) {
       largest = strain;
       best = k;
     }
-  return largest > 0 ? best : run.frames() - 1;
+  return largest > 0 ? static_cast<std::int64_t>(best) : run.frames() - 1;
 }
 
 /// Throws an input error where the format cannot hold the particles of the run.

@@ -46,6 +46,15 @@ TEST_F(RunPicturesTest, OscillatoryRunGivesLoopSnapshotAndImages) {
   EXPECT_EQ(files(), before + 3);
 }
 
+/// The picture of the most sheared frame is found by these, without reading the frames.
+TEST_F(RunPicturesTest, StrainsAreThoseOfTheFrames) {
+  const RunFile run = make_run("oscillatory_shear");
+  std::vector<double> of_frames;
+  for (std::int64_t k = 0; k < run.frames(); ++k) of_frames.push_back(run.frame(k).strain);
+  EXPECT_EQ(run.strains(), of_frames);
+  EXPECT_GT(std::ranges::max(of_frames), 0.1);
+}
+
 TEST_F(RunPicturesTest, DiscsHaveTheColoursOfTheNumbersOfTheirFrames) {
   const RunFile run = make_run("dynamics", "1000");
   EXPECT_EQ(run.unit_of_bodies("stress_xx"), "Pa");

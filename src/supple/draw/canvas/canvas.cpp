@@ -4,16 +4,17 @@
 #include <cairo-ps.h>
 #include <cairo-svg.h>
 #include <cairo.h>
-#include <jpeglib.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <numbers>
 
 #include "supple/core/error.hpp"
 #include "supple/core/new_file.hpp"
+#include "supple/draw/canvas/jpeg.hpp"
+#include "supple/draw/canvas/png.hpp"
 #include "supple/draw/canvas/superscript.hpp"
 
 namespace supple {
@@ -33,55 +34,13 @@ bool is_raster(PictureFormat format) { return format == PictureFormat::png || fo
 /// Pixels of a length, an even number, because video encoders refuse frames of odd size.
 int even_pixels(double points, double scale) { return 2 * static_cast<int>(std::ceil(points * scale / 2)); }
 
-[[noreturn]] void fail_jpeg(j_common_ptr info) {
-  char reason[JMSG_LENGTH_MAX];
-  info->err->format_message(info, reason);
-  throw file_error("cannot encode the picture as JPEG", reason);
+/// The pixels of an image surface, which nothing draws on any more.
+PixelRows pixels_of(cairo_surface_t* image) {
+  return {reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(image)),
+          static_cast<std::size_t>(cairo_image_surface_get_width(image)),
+          static_cast<std::size_t>(cairo_image_surface_get_height(image)),
+          static_cast<std::size_t>(cairo_image_surface_get_stride(image)) / sizeof(std::uint32_t)};
 }
-
-/// Bytes of a JPEG file from the pixels (BGRx) of a Cairo image surface.
-std::string encode_jpeg(cairo_surface_t* image) {
-  jpeg_compress_struct job{};
-  jpeg_error_mgr errors;
-  job.err = jpeg_std_error(&errors);
-  errors.error_exit = fail_jpeg;
-  struct Output {
-    unsigned char* data = nullptr;
-    unsigned long size = 0;
-    ~Output() { std::free(data); }
-  } out;
-  struct Release {
-    jpeg_compress_struct& job;
-    ~Release() { jpeg_destroy_compress(&job); }
-  } release{job};
-
-  jpeg_create_compress(&job);
-  jpeg_mem_dest(&job, &out.data, &out.size);
-  job.image_width = static_cast<JDIMENSION>(cairo_image_surface_get_width(image));
-  job.image_height = static_cast<JDIMENSION>(cairo_image_surface_get_height(image));
-  job.input_components = 3;
-  job.in_color_space = JCS_RGB;
-  jpeg_set_defaults(&job);
-  jpeg_set_quality(&job, 92, TRUE);
-  jpeg_start_compress(&job, TRUE);
-
-  const unsigned char* pixels = cairo_image_surface_get_data(image);
-  const int stride = cairo_image_surface_get_stride(image);
-  std::vector<JSAMPLE> row(3 * job.image_width);
-  while (job.next_scanline < job.image_height) {
-    const unsigned char* line = pixels + static_cast<std::ptrdiff_t>(job.next_scanline) * stride;
-    for (JDIMENSION x = 0; x < job.image_width; ++x)
-      for (int channel = 0; channel < 3; ++channel) row[3 * x + channel] = line[4 * x + 2 - channel];
-    JSAMPROW rows[] = {row.data()};
-    jpeg_write_scanlines(&job, rows, 1);
-  }
-  jpeg_finish_compress(&job);
-  return {reinterpret_cast<const char*>(out.data), out.size};
-}
-
-}  // namespace
-
-namespace {
 
 /// Removes the date from the header of PostScript, so that the same picture has the same bytes.
 void remove_date(std::string& bytes) {
@@ -280,9 +239,9 @@ void Canvas::finish() {
   surface_->check(path_);
   std::string& bytes = surface_->bytes;
   if (surface_->format == PictureFormat::jpg) {
-    bytes = encode_jpeg(surface_->surface);
+    bytes = encode_jpeg(pixels_of(surface_->surface));
   } else if (surface_->format == PictureFormat::png) {
-    cairo_surface_write_to_png_stream(surface_->surface, append_bytes, &bytes);
+    bytes = encode_png(pixels_of(surface_->surface));
   } else {
     cairo_show_page(surface_->context);
     cairo_surface_finish(surface_->surface);

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cstdint>
 
-#include "supple/core/checksum.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/new_file.hpp"
 #include "supple/core/path_kind.hpp"
 #include "supple/draw/canvas/canvas.hpp"
+#include "supple/draw/canvas/png.hpp"
 
 namespace supple {
 
@@ -40,9 +40,7 @@ std::string big_endian(std::uint32_t x) {
   return bytes;
 }
 std::string png_text(const std::string& text) {
-  const std::string data = std::string("Source") + '\0' + text;
-  return big_endian(static_cast<std::uint32_t>(data.size())) + "tEXt" + data +
-         big_endian(checksum("tEXt" + data));
+  return png_chunk("tEXt", std::string("Source") + '\0' + text);
 }
 
 std::string jpeg_comment(const std::string& text) {

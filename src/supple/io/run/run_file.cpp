@@ -1,6 +1,7 @@
 #include "supple/io/run/run_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "supple/core/error.hpp"
 #include "supple/core/path_kind.hpp"
@@ -154,6 +155,20 @@ Frame RunFile::frame(std::int64_t k) const {
     contacts += segments_[s].contacts;
   }
   throw file_error(path_ + " has no frame " + std::to_string(k), "it has " + std::to_string(frames()));
+}
+
+std::vector<double> RunFile::strains() const {
+  std::vector<double> out;
+  for (std::size_t s = 0; s < segments(); ++s) {
+    if (segments_[s].frames == 0) continue;
+    const h5::Group frames = segment(s).open_group("frames");
+    const std::vector<double> part = frames.read<double>("strain");
+    expect_sound(static_cast<std::int64_t>(part.size()) == segments_[s].frames, frames,
+                 "strains are missing");
+    for (const double strain : part) expect_sound(std::abs(strain) < far_away, frames, "a cell that is none");
+    out.insert(out.end(), part.begin(), part.end());
+  }
+  return out;
 }
 
 std::string RunFile::unit_of_bodies(const std::string& number) const {

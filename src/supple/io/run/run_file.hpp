@@ -43,6 +43,8 @@ class RunFile {
   std::int64_t frames() const;
   /// Frame k, 0 <= k < frames().
   Frame frame(std::int64_t k) const;
+  /// The strain of every frame, without the rest of them.
+  std::vector<double> strains() const;
   /// Unit of a number that frames hold of each body: as a table names it that has one of the same name for
   /// all, or in runs whose units have names as the frames do. Empty: none.
   std::string unit_of_bodies(const std::string& number) const;
