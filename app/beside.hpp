@@ -8,10 +8,8 @@
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/derived.hpp"
 #include "supple/experiment/initial_state.hpp"
-
-namespace supple {
-class RunFile;
-}
+#include "supple/io/run/picture_mark.hpp"
+#include "supple/io/run/run_file.hpp"
 
 namespace supple::command {
 
@@ -22,6 +20,16 @@ std::string plot_path(const std::string& run, const Case& c);
 std::string snapshot_path(const std::string& run);
 /// The name of an export; `to` as in export_run().
 std::string export_path(const std::string& run, const std::string& to);
+
+/// A run that is opened once for all of its pictures.
+struct DrawnRun {
+  RunFile run;
+  std::string mark;  ///< of its pictures
+  explicit DrawnRun(const std::string& path) : run(path), mark(mark_of(run)) {}
+};
+void snapshot(const DrawnRun& run, std::optional<int> frame, const std::string& color,
+              const std::string& path, Existing existing);
+void plot(const DrawnRun& run, const std::string& path, Existing existing);
 
 /// Throws a file error where `file`, made from a run, may not be written: it exists, or it is the run itself.
 void check_output_of(const std::string& run_path, const std::string& file, Existing existing);

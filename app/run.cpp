@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -138,9 +139,11 @@ void draw_images_of(const Case& c, const std::string& run, Existing existing, Co
 std::vector<std::string> write_beside(const Case& c, const std::string& run, Existing existing,
                                       CommandRecorder& recorder) {
   std::vector<std::string> written;
-  if (draws_plot(c)) draw_or_warn(plot_path(run, c), written, [&] { plot(run, "", existing); });
+  std::optional<DrawnRun> opened;  // where anything is drawn
+  const auto drawn = [&]() -> const DrawnRun& { return opened ? *opened : opened.emplace(run); };
+  if (draws_plot(c)) draw_or_warn(plot_path(run, c), written, [&] { plot(drawn(), "", existing); });
   if (c.output.snapshot)
-    draw_or_warn(snapshot_path(run), written, [&] { snapshot(run, std::nullopt, "", "", existing); });
+    draw_or_warn(snapshot_path(run), written, [&] { snapshot(drawn(), std::nullopt, "", "", existing); });
   if (c.output.text) {
     export_run(run, "text", "", existing);
     written.push_back(export_path(run, "text"));

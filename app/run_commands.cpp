@@ -81,12 +81,10 @@ namespace {
 
 /// Draws a picture of the run, which replaces one of the same run unasked.
 template <class Draw>
-void draw(const std::string& run_path, const std::string& file, Existing existing, Draw&& picture) {
-  const RunFile run(run_path);
-  const std::string mark = mark_of(run);
-  check_output_of(run_path, file, is_marked(file, mark) ? Existing::replace : existing);
-  picture(run);
-  if (file != standard_output) mark_picture(file, mark);
+void draw(const DrawnRun& drawn, const std::string& file, Existing existing, Draw&& picture) {
+  check_output_of(drawn.run.path(), file, is_marked(file, drawn.mark) ? Existing::replace : existing);
+  picture();
+  if (file != standard_output) mark_picture(file, drawn.mark);
 }
 
 }  // namespace
@@ -119,23 +117,33 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
   else write_state_json(read_state(run_path), file, existing);
 }
 
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+void snapshot(const DrawnRun& drawn, std::optional<int> frame, const std::string& color,
               const std::string& path, Existing existing) {
-  const std::string file = path.empty() ? snapshot_path(run_path) : path;
-  draw(run_path, file, existing, [&](const RunFile& run) {
+  const RunFile& run = drawn.run;
+  const std::string file = path.empty() ? snapshot_path(run.path()) : path;
+  draw(drawn, file, existing, [&] {
     const std::int64_t count = run.frames();
-    if (count == 0) throw input_error(run_path + " holds no frames", "it stopped before its first step");
+    if (count == 0) throw input_error(run.path() + " holds no frames", "it stopped before its first step");
     const std::int64_t k = !frame ? telling_frame(run) : *frame < 0 ? count + *frame : *frame;
     if (k < 0 || k >= count)
-      throw input_error(fmt::format("{} has no frame {}", run_path, *frame), "",
+      throw input_error(fmt::format("{} has no frame {}", run.path(), *frame), "",
                         fmt::format("give 0 to {}, or -1 for the last", count - 1));
     draw_frame(file, run, k, color);
   });
 }
 
+void plot(const DrawnRun& drawn, const std::string& path, Existing existing) {
+  const std::string file = path.empty() ? plot_path(drawn.run.path(), drawn.run.resolved_case()) : path;
+  draw(drawn, file, existing, [&] { draw_figure(file, drawn.run); });
+}
+
+void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+              const std::string& path, Existing existing) {
+  snapshot(DrawnRun(run_path), frame, color, path, existing);
+}
+
 void plot(const std::string& run_path, const std::string& path, Existing existing) {
-  const std::string file = path.empty() ? plot_path(run_path, RunFile(run_path).resolved_case()) : path;
-  draw(run_path, file, existing, [&](const RunFile& run) { draw_figure(file, run); });
+  plot(DrawnRun(run_path), path, existing);
 }
 
 }  // namespace supple::command

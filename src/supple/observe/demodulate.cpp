@@ -35,16 +35,19 @@ struct Window {
   double half() const { return 0.5 * (end - begin); }
 };
 
-std::vector<double> basis(const Model& model, const Protocol& p, const Window& w, double time) {
-  std::vector<double> f;
-  const double phase = phase_of(p, time);
-  for (const int m : model.harmonics) {
-    f.push_back(std::sin(m * phase));
-    f.push_back(std::cos(m * phase));
+/// sin and cos of the harmonics at each sample of a series, one sample after the other: the fits of the whole
+/// and of each cycle share them.
+std::vector<double> waves_of(const Series& series, const Protocol& p, const std::vector<int>& harmonics) {
+  std::vector<double> waves;
+  waves.reserve(2 * harmonics.size() * series.size());
+  for (const StressSample& s : series) {
+    const double phase = phase_of(p, s.time);
+    for (const int m : harmonics) {
+      waves.push_back(std::sin(m * phase));
+      waves.push_back(std::cos(m * phase));
+    }
   }
-  f.push_back(1);
-  if (model.ramp) f.push_back((time - w.middle()) / w.half());
-  return f;
+  return waves;
 }
 
 /// Solves the symmetric positive definite system m x = b by elimination.
@@ -77,16 +80,21 @@ std::span<const StressSample> samples_in(const Series& series, const Protocol& p
 
 /// Least squares over a window of whole cycles. A sample weighs half the time between its neighbours; after
 /// the last sample comes the first one again, a window later. Even sampling has even weights.
-std::vector<double> fit(const Series& series, const Protocol& p, const Window& w, const Model& model) {
+std::vector<double> fit(const Series& series, const std::vector<double>& waves, const Protocol& p,
+                        const Window& w, const Model& model) {
   const std::span<const StressSample> samples = samples_in(series, p, w);
   const std::size_t n = model.size(), count = samples.size();
   if (count < n) throw too_few_samples();
   std::vector<std::vector<double>> m(n, std::vector<double>(n));
-  std::vector<double> b(n);
-  for (std::size_t s = 0; s < count; ++s) {
+  std::vector<double> b(n), f(n);
+  const std::size_t width = 2 * model.harmonics.size();
+  auto wave = waves.begin() + static_cast<std::ptrdiff_t>(width) * (samples.data() - series.data());
+  for (std::size_t s = 0; s < count; ++s, wave += static_cast<std::ptrdiff_t>(width)) {
     const double previous = s == 0 ? samples.back().time - 2 * w.half() : samples[s - 1].time;
     const double next = s + 1 == count ? samples.front().time + 2 * w.half() : samples[s + 1].time;
-    const std::vector<double> f = basis(model, p, w, samples[s].time);
+    std::copy_n(wave, width, f.begin());
+    f[width] = 1;
+    if (model.ramp) f[width + 1] = (samples[s].time - w.middle()) / w.half();
     for (std::size_t i = 0; i < n; ++i) {
       const double weighted = 0.5 * (next - previous) * f[i];
       for (std::size_t j = 0; j < n; ++j) m[i][j] += weighted * f[j];
@@ -97,11 +105,13 @@ std::vector<double> fit(const Series& series, const Protocol& p, const Window& w
 }
 
 /// Fits of each cycle by itself.
-std::vector<std::vector<double>> fit_cycles(const Series& series, const Protocol& p, const Window& whole,
-                                            int cycles, const Model& model) {
+std::vector<std::vector<double>> fit_cycles(const Series& series, const std::vector<double>& waves,
+                                            const Protocol& p, const Window& whole, int cycles,
+                                            const Model& model) {
   std::vector<std::vector<double>> all;
   for (int k = cycles; k > 0; --k)
-    all.push_back(fit(series, p, {whole.end - k / p.frequency, whole.end - (k - 1) / p.frequency}, model));
+    all.push_back(
+        fit(series, waves, p, {whole.end - k / p.frequency, whole.end - (k - 1) / p.frequency}, model));
   return all;
 }
 
@@ -148,18 +158,19 @@ Demodulation fit_harmonics(std::vector<StressSample> series, const Protocol& p) 
   const double samples = static_cast<double>(samples_in(series, p, whole).size()) / cycles;
   if (samples < least_samples_of_cycle - 0.5) throw too_few_samples();
   Model model{harmonics_of(samples, cycles), true};
-  std::vector<double> c = fit(series, p, whole, model);
+  const std::vector<double> waves = waves_of(series, p, model.harmonics);
+  std::vector<double> c = fit(series, waves, p, whole, model);
   result.drift = c.back() / whole.half();
   c.pop_back();
   remove_ramp(series, result.drift, start);
   model.ramp = false;
   if (cycles > 1) {
-    const double rest = slope_of_constants(fit_cycles(series, p, whole, cycles, model)) * p.frequency;
+    const double rest = slope_of_constants(fit_cycles(series, waves, p, whole, cycles, model)) * p.frequency;
     remove_ramp(series, rest, start);
     result.drift += rest;
-    c = fit(series, p, whole, model);
+    c = fit(series, waves, p, whole, model);
     std::vector<double> storage, loss;
-    for (const std::vector<double>& cycle : fit_cycles(series, p, whole, cycles, model)) {
+    for (const std::vector<double>& cycle : fit_cycles(series, waves, p, whole, cycles, model)) {
       storage.push_back(cycle[in_phase] / p.amplitude);
       loss.push_back(cycle[out_of_phase] / p.amplitude);
     }

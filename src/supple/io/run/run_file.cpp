@@ -66,6 +66,8 @@ const h5::Group& RunFile::first_look(std::size_t index) const {
 
 const h5::Group& RunFile::segment(std::size_t index) const {
   if (index != open_index_) {
+    arrays_.clear();
+    frames_ = h5::Group();
     open_ = h5::open_file(segments_[index].path);
     open_index_ = index;
   }
@@ -94,7 +96,12 @@ bool RunFile::has_table(const std::string& table) const {
   return std::find(all.begin(), all.end(), table) != all.end();
 }
 
-std::vector<Column> RunFile::columns(const std::string& table) const {
+const std::vector<Column>& RunFile::columns(const std::string& table) const {
+  const auto known = columns_.find(table);
+  return known != columns_.end() ? known->second : columns_[table] = read_columns_of(table);
+}
+
+std::vector<Column> RunFile::read_columns_of(const std::string& table) const {
   for (std::size_t s = 0; s < segments(); ++s) {
     const h5::Group tables = segment(s).open_group("tables");
     if (!tables.has(table)) continue;
@@ -110,7 +117,7 @@ std::vector<Column> RunFile::columns(const std::string& table) const {
 }
 
 std::int64_t RunFile::rows(const std::string& table) const {
-  const std::vector<Column> all = columns(table);
+  const std::vector<Column>& all = columns(table);
   if (all.empty()) return 0;
   const std::string& name = all[0].name;
   std::int64_t rows = 0;
@@ -143,13 +150,26 @@ std::int64_t RunFile::frames() const {
   return n;
 }
 
+const h5::Group& RunFile::open_frames(std::size_t index) const {
+  const h5::Group& root = segment(index);
+  if (frames_.id() >= 0) return frames_;
+  frames_ = root.open_group("frames");
+  const auto hold = [&](const h5::Group& group) {
+    for (const std::string& name : group.names())
+      if (!group.is_group(name)) arrays_.push_back(group.open_dataset(name));
+  };
+  hold(frames_);
+  for (const char* name : {"body", "system"})
+    if (frames_.has(name)) hold(frames_.open_group(name));
+  return frames_;
+}
+
 Frame RunFile::frame(std::int64_t k) const {
   std::int64_t first = 0, contacts = 0;
   for (std::size_t s = 0; s < segments(); ++s) {
     if (k >= first && k < first + segments_[s].frames) {
       if (!info_) info_ = info();
-      return read_frame(segment(s).open_group("frames"), static_cast<std::uint64_t>(k - first), contacts,
-                        *info_);
+      return read_frame(open_frames(s), static_cast<std::uint64_t>(k - first), contacts, *info_);
     }
     first += segments_[s].frames;
     contacts += segments_[s].contacts;
@@ -194,7 +214,12 @@ std::vector<std::string> RunFile::value_groups() const {
   return out;
 }
 
-std::vector<RunValue> RunFile::values(const std::string& group) const {
+const std::vector<RunValue>& RunFile::values(const std::string& group) const {
+  const auto known = values_.find(group);
+  return known != values_.end() ? known->second : values_[group] = read_values_of(group);
+}
+
+std::vector<RunValue> RunFile::read_values_of(const std::string& group) const {
   std::vector<RunValue> out;
   for (std::size_t s = 0; s < segments(); ++s) {
     if (!segment(s).has(group)) continue;

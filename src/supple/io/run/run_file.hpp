@@ -1,6 +1,7 @@
 /// Reading a run: its finished file, or the segments of a run that is going on or was killed.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,7 +36,7 @@ class RunFile {
 
   std::vector<std::string> tables() const;
   bool has_table(const std::string& table) const;
-  std::vector<Column> columns(const std::string& table) const;
+  const std::vector<Column>& columns(const std::string& table) const;
   std::int64_t rows(const std::string& table) const;
   /// The values of a column. Throws a file error that lists the columns where there is none of that name.
   std::vector<double> column(const std::string& table, const std::string& name) const;
@@ -52,7 +53,7 @@ class RunFile {
   /// Names of the groups of numbers: constants, results, ...
   std::vector<std::string> value_groups() const;
   /// The numbers of a group ("constants", "results", "material"), in the order they were written.
-  std::vector<RunValue> values(const std::string& group) const;
+  const std::vector<RunValue>& values(const std::string& group) const;
   std::optional<double> find_value(const std::string& group, const std::string& name) const;
   /// The number of this name. Throws a file error where there is none.
   double value(const std::string& group, const std::string& name) const;
@@ -72,13 +73,22 @@ class RunFile {
   /// The same; where the segment cannot be opened, the error says how to read those before it.
   const h5::Group& first_look(std::size_t index) const;
   std::size_t segments() const { return segments_.size(); }
+  std::vector<Column> read_columns_of(const std::string& table) const;
+  std::vector<RunValue> read_values_of(const std::string& group) const;
+  /// Keeps the arrays of a segment's frames open from one frame to the next, and so the pieces that HDF5 has
+  /// unpacked.
+  const h5::Group& open_frames(std::size_t index) const;
 
   std::string path_;
   bool partial_ = false;
   std::vector<Segment> segments_;
   mutable std::optional<RunInfo> info_;  ///< once a frame was read
   mutable std::size_t open_index_ = static_cast<std::size_t>(-1);
-  mutable h5::Group open_;  ///< the segment last used: most calls ask for the same one again
+  mutable h5::Group open_;                  ///< the segment last used: most calls ask for the same one again
+  mutable h5::Group frames_;                ///< of the segment last used, once a frame was read
+  mutable std::vector<h5::Object> arrays_;  ///< of its frames
+  mutable std::map<std::string, std::vector<Column>> columns_;   ///< by table, once asked for
+  mutable std::map<std::string, std::vector<RunValue>> values_;  ///< by group, likewise
 };
 
 }  // namespace supple
