@@ -14,6 +14,7 @@
 #include "bench/lammps.hpp"
 #include "bench/machine.hpp"
 #include "bench/packings.hpp"
+#include "bench/pictures.hpp"
 #include "bench/shells.hpp"
 #include "bench/threads.hpp"
 #include "supple/core/version.hpp"
@@ -182,7 +183,8 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | cells | peers | run | shells | jamming | threads]...: these tables, or all.
+/// supple_bench [sizes | cells | peers | run | shells | jamming | pictures | threads]...: these tables, or
+/// all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -203,5 +205,6 @@ int main(int argc, char** argv) {
     print_shell_sizes();
   }
   if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
+  if (wants("pictures")) print_pictures();
   if (wants("threads")) print_threads();
 }

@@ -1,5 +1,6 @@
 /* Preloaded into the command: it kills itself, without a word, at the n-th call that makes a file durable or
-   visible. DIE_AT=n; 0 or unset: never. Half of the bytes of a write that kills are written. */
+   visible. DIE_AT=n; 0 or unset: never. Half of the bytes of a write that kills are written. With DIE_DRAWING
+   set, it kills itself when it begins a picture. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <signal.h>
@@ -40,4 +41,10 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to, 
       (int (*)(int, const char*, int, const char*, unsigned))dlsym(RTLD_NEXT, "renameat2");
   if (due()) die();
   return real(from_folder, from, to_folder, to, flags);
+}
+
+void* cairo_create(void* surface) {
+  void* (*real)(void*) = (void* (*)(void*))dlsym(RTLD_NEXT, "cairo_create");
+  if (getenv("DIE_DRAWING")) die();
+  return real(surface);
 }

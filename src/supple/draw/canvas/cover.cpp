@@ -131,6 +131,7 @@ void LineCover::segment(const Vec2& from, const Vec2& to, double width, End begi
     const auto py = static_cast<float>(height), start = static_cast<float>(area_.left + 0.5 - from[0]);
     for (int k = left; k < right; k += pixel_block) {
       std::int32_t share[pixel_block];
+#pragma omp simd
       for (int i = 0; i < pixel_block; ++i) {
         const float px = start + static_cast<float>(k + i), t = px * ux + py * uy;
         const float s = std::min(std::max(t, least), most);
@@ -139,6 +140,7 @@ void LineCover::segment(const Vec2& from, const Vec2& to, double width, End begi
         const float cut = std::min(std::min(t + cut_begin, cut_end - t), 1.0f);
         share[i] = static_cast<std::int32_t>(across * std::max(cut, 0.0f) * 255 + 0.5f);
       }
+#pragma omp simd
       for (int i = 0; i < pixel_block; ++i)
         cover[k + i] = std::max(cover[k + i], static_cast<std::uint8_t>(share[i]));
     }

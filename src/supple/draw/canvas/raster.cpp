@@ -55,6 +55,15 @@ std::uint32_t product(std::uint32_t a, std::uint32_t b) {
   return (sum + (sum >> 8)) >> 8;
 }
 
+/// Leaves of the shares of a block what the mask shows.
+void cut_block(std::uint8_t* cover, const std::uint8_t* mask) {
+  std::uint32_t both[pixel_block];
+#pragma omp simd
+  for (int i = 0; i < pixel_block; ++i) both[i] = product(cover[i], mask[i]);
+#pragma omp simd
+  for (int i = 0; i < pixel_block; ++i) cover[i] = static_cast<std::uint8_t>(both[i]);
+}
+
 std::uint32_t as_pixel(Color color) {
   std::uint32_t out = 0;
   for (const double part : {color.red, color.green, color.blue})
@@ -82,11 +91,22 @@ void Raster::paint(int y, const PixelArea& area, std::pair<int, int> part, std::
   const Clip& clip = clips_.back();
   const std::uint8_t* mask = clip.mask.empty() ? nullptr : clip.mask_at(area.left, y);
   Pixel* pixels = pixels_ + y * stride_ + area.left;
+  // Rows lie far apart in memory: those that come next are asked for early.
+  if (const int ahead = 4; y + ahead < area.bottom && part.second - part.first < 512) {
+    for (int k = part.first; k < part.second; k += 16) __builtin_prefetch(pixels + ahead * stride_ + k, 1);
+    if (mask)
+      for (int k = part.first; k < part.second; k += 64)
+        __builtin_prefetch(clip.mask_at(area.left + k, y + ahead));
+  }
   for (int k = part.first; k < part.second; k += pixel_block) {
     const int n = std::min(pixel_block, part.second - k);
     if (all_are(cover + k, 0)) continue;
-    if (mask)
+    if (mask && n == pixel_block) {
+      if (all_are(mask + k, 0)) continue;
+      if (!all_are(mask + k, 255)) cut_block(cover + k, mask + k);
+    } else if (mask) {
       for (int i = k; i < k + n; ++i) cover[i] = static_cast<std::uint8_t>(product(cover[i], mask[i]));
+    }
     if (n == pixel_block && all_are(cover + k, 255)) {
       std::fill_n(pixels + k, pixel_block, color);
     } else if (n == pixel_block) {

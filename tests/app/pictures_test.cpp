@@ -1,0 +1,44 @@
+#include <gmock/gmock.h>
+
+#include "tests/app/command.hpp"
+#include "tests/paths.hpp"
+
+namespace supple {
+namespace {
+
+class DrawnPictures : public CommandTest {
+ protected:
+  void die_when_drawing() {
+#ifdef __SANITIZE_ADDRESS__
+    const std::string sanitized = "ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0 ";
+#else
+    const std::string sanitized;
+#endif
+    set_prefix(sanitized + "LD_PRELOAD='" SUPPLE_DIE_AT "' DIE_DRAWING=1 ");
+  }
+};
+
+TEST_F(DrawnPictures, NoneIsBegunUnasked) {
+  write_small_case();
+  die_when_drawing();
+  EXPECT_EQ(supple("run small.toml --set output.plot=false --set output.snapshot=false").code, 0);
+  EXPECT_EQ(supple("show small.h5").code, 0);
+  EXPECT_EQ(supple("export small.h5 --to csv").code, 0);
+  for (const std::string asked : {"output.plot=true", "output.snapshot=true", "output.images=1"})
+    EXPECT_NE(supple("run small.toml --force --set " + asked).code, 0) << asked;
+}
+
+TEST_F(DrawnPictures, HaveTheSameBytesEachTime) {
+  write_small_case();
+  const std::string asked = " --set output.plot=true --set output.snapshot=true --set output.images=3";
+  ASSERT_EQ(supple("run small.toml -o a.h5" + asked).code, 0);
+  ASSERT_EQ(supple("run small.toml -o b.h5 --threads 2" + asked).code, 0);
+  for (const std::string name :
+       {"_stress.png", "_cell.png", "_images/image0000000.png", "_images/image0000002.png"}) {
+    EXPECT_GT(read_text(path("a" + name)).size(), 1000u) << name;
+    EXPECT_TRUE(read_text(path("a" + name)) == read_text(path("b" + name))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace supple
