@@ -37,7 +37,7 @@ std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// A picture that Supple wrote: the bytes of its rows, and its pixels.
+/// A picture that Supple wrote: the bytes of its rows as they are, and its pixels.
 struct Picture {
   std::size_t width, height, file_bytes;
   std::vector<unsigned char> rows;
@@ -54,11 +54,14 @@ struct Picture {
     rows.resize((3 * width + 1) * height);
     uLongf size = rows.size();
     uncompress(rows.data(), &size, reinterpret_cast<const Bytef*>(stream.data()), stream.size());
-    for (std::size_t y = 0; y < height; ++y)
-      for (std::size_t x = 0; x < width; ++x) {
-        const unsigned char* p = &rows[y * (3 * width + 1) + 1 + 3 * x];
+    const std::size_t length = 3 * width + 1;
+    for (std::size_t y = 0; y < height; ++y) {
+      unsigned char* row = &rows[y * length];
+      for (std::size_t k = 1; row[0] == 2 && y > 0 && k < length; ++k) row[k] += (row - length)[k];
+      row[0] = 0;
+      for (const unsigned char* p = row + 1; p < row + length; p += 3)
         pixels.push_back(p[0] << 16 | p[1] << 8 | p[2]);
-      }
+    }
   }
 };
 

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t block_tokens = 1 << 15;
 constexpr std::size_t longest_run = 86;  // pixels: 258 bytes, the longest repetition
-constexpr std::size_t farthest = 32768;  // bytes back
 constexpr int end_of_block = 256, first_length = 257, literals = 286, distances = 30, length_limit = 15;
 constexpr std::uint32_t adler_modulus = 65521;
 
@@ -23,15 +22,10 @@ struct Symbol {
   std::uint32_t extra;
 };
 
-/// RFC 1951, section 3.2.5, distances: codes 2 k + 2 and 2 k + 3 (k > 0) halve [2^(k+1), 2^(k+2)), from 0 on.
-Symbol distance_symbol(std::size_t distance) {
-  const auto d = static_cast<std::uint32_t>(distance - 1);
-  if (d < 4) return {static_cast<int>(d), 0, 0};
-  const int bits = std::bit_width(d) - 2;
-  return {2 * bits + 2 + static_cast<int>(d >> bits & 1), bits, d & ((1u << bits) - 1)};
-}
+/// Of a repetition from three bytes back, a pixel.
+constexpr Symbol one_pixel_back{2, 0, 0};
 
-/// The same table, lengths of 3 to 258: codes in fours; 258 has one of its own.
+/// RFC 1951, section 3.2.5, lengths of 3 to 258: codes in fours; 258 has one of its own.
 Symbol length_symbol(std::size_t length) {
   if (length == 258) return {first_length + 28, 0, 0};
   const auto d = static_cast<std::uint32_t>(length - 3);
@@ -122,45 +116,61 @@ std::size_t run_of(const std::vector<std::uint8_t>& same, std::size_t x) {
   return end ? static_cast<std::size_t>(static_cast<const std::uint8_t*>(end) - &same[x]) : same.size() - x;
 }
 
+/// Bytes of one pixel less those of the other, each by itself.
+std::uint32_t difference(std::uint32_t a, std::uint32_t b) {
+  return (((a | 0x80808080) - (b & 0x7f7f7f7f)) ^ ((a ^ ~b) & 0x80808080)) & 0xffffff;
+}
+
+/// What a row takes, about, in codes: two for a pixel, one for a run of pixels as before.
+std::size_t cost_of(const std::vector<std::uint8_t>& same) {
+  std::size_t pixels = 0, runs = 0;
+  for (const std::uint8_t s : same) pixels += s == 0;
+  for (std::size_t x = 1; x < same.size(); ++x) runs += same[x] > same[x - 1];
+  return 2 * pixels + runs;
+}
+
 }  // namespace
 
-PixelStream::PixelStream(std::size_t width)
-    : width_(width), row_(width), previous_(width), same_left_(width), same_above_(width) {
-  if (const std::size_t distance = 3 * width + 1; distance <= farthest) above_ = distance;
+PixelStream::PixelStream(std::size_t width) : width_(width), previous_(width) {
+  for (Filtered* way : {&plain_, &less_above_})
+    *way = {std::vector<std::uint32_t>(width), std::vector<std::uint8_t>(width)};
   tokens_.reserve(block_tokens + width + 1);
   bytes_ = "\x78\x01";  // 32 KiB of memory; fastest
 }
 
 void PixelStream::add_row(const std::uint32_t* pixels) {
   if (tokens_.size() >= block_tokens) write_block(false);
-  std::swap(row_, previous_);
-  for (std::size_t x = 0; x < width_; ++x) row_[x] = pixels[x] & 0xffffff;
-  add_checksum();
-  if (width_ > 1) compare(&row_[1], &row_[0], width_ - 1, &same_left_[1]);
-  if (above_ > 0 && !first_) compare(row_.data(), previous_.data(), width_, same_above_.data());
-  first_ = false;
+  std::swap(plain_.row, previous_);
+  for (std::size_t x = 0; x < width_; ++x) plain_.row[x] = pixels[x] & 0xffffff;
+  for (std::size_t x = 0; x < width_; ++x) less_above_.row[x] = difference(plain_.row[x], previous_[x]);
+  for (Filtered* way : {&plain_, &less_above_})
+    if (width_ > 1) compare(&way->row[1], &way->row[0], width_ - 1, &way->same[1]);
+  const bool is_plain = cost_of(plain_.same) <= cost_of(less_above_.same);
+  const auto& [row, same] = is_plain ? plain_ : less_above_;
+  const std::uint32_t filter = is_plain ? 0 : 2;  // "none" and "up" of PNG
+  add_checksum(row, filter);
 
-  tokens_.push_back(row_start << 24);
+  tokens_.push_back(row_start << 24 | filter);
   for (std::size_t x = 0; x < width_;) {
-    const std::size_t left = run_of(same_left_, x), above = run_of(same_above_, x);
-    if (left + above == 0) tokens_.push_back(row_[x++]);
-    else repeat(left >= above ? as_left : as_above, std::max(left, above));
-    x += std::max(left, above);
+    const std::size_t run = run_of(same, x);
+    if (run == 0) tokens_.push_back(row[x++]);
+    else repeat(run);
+    x += run;
   }
 }
 
-void PixelStream::repeat(Kind kind, std::size_t pixels) {
-  for (; pixels > longest_run; pixels -= longest_run) tokens_.push_back(kind << 24 | longest_run);
-  tokens_.push_back(kind << 24 | static_cast<std::uint32_t>(pixels));
+void PixelStream::repeat(std::size_t pixels) {
+  for (; pixels > longest_run; pixels -= longest_run) tokens_.push_back(again << 24 | longest_run);
+  tokens_.push_back(again << 24 | static_cast<std::uint32_t>(pixels));
 }
 
-/// Adler-32 (RFC 1950, section 8.2) of the row and the zero before it: of bytes c[0..n), the first sum grows
-/// by the sum of c[i], the second by n times the first as it was and the sum of (n - i) c[i].
-void PixelStream::add_checksum() {
+/// Adler-32 (RFC 1950, section 8.2) of the filter and the row: of bytes c[0..n), the first sum grows by the
+/// sum of c[i], the second by n times the first as it was and the sum of (n - i) c[i].
+void PixelStream::add_checksum(const std::vector<std::uint32_t>& row, std::uint32_t filter) {
   const std::uint64_t n = 3 * width_ + 1;
-  std::uint64_t sum = 0, weighted = 0;
+  std::uint64_t sum = filter, weighted = n * filter;
   for (std::size_t x = 0; x < width_; ++x) {
-    const std::uint64_t red = row_[x] >> 16, green = row_[x] >> 8 & 0xff, blue = row_[x] & 0xff;
+    const std::uint64_t red = row[x] >> 16, green = row[x] >> 8 & 0xff, blue = row[x] & 0xff;
     const std::uint64_t all = red + green + blue;
     sum += all;
     weighted += (3 * (width_ - x)) * all - green - 2 * blue;
@@ -171,37 +181,32 @@ void PixelStream::add_checksum() {
 }
 
 void PixelStream::write_block(bool last) {
-  const Symbol distance_of[] = {
-      {}, {}, distance_symbol(3), distance_symbol(std::max<std::size_t>(above_, 1))};
   std::array<std::uint32_t, literals> literal_counts{};
   std::array<std::uint32_t, distances> distance_counts{};
   literal_counts[end_of_block] = 1;
-  std::array<std::array<std::uint32_t, longest_run + 1>, 4> runs{};
+  std::array<std::uint32_t, longest_run + 1> runs{};
   for (const Token t : tokens_) {
     const std::uint32_t kind = t >> 24;
-    if (kind != pixel) {
-      ++runs[kind][t & 0xff];
+    if (kind == again) {
+      ++runs[t & 0xff];
       continue;
     }
+    ++literal_counts[t & 0xff];
+    if (kind == row_start) continue;
     ++literal_counts[t >> 16];
     ++literal_counts[t >> 8 & 0xff];
-    ++literal_counts[t & 0xff];
   }
-  literal_counts[0] += runs[row_start][0];
-  for (const Kind kind : {as_left, as_above})
-    for (std::size_t k = 1; k <= longest_run; ++k) {
-      literal_counts[length_symbol(3 * k).code] += runs[kind][k];
-      distance_counts[distance_of[kind].code] += runs[kind][k];
-    }
+  for (std::size_t k = 1; k <= longest_run; ++k) {
+    literal_counts[length_symbol(3 * k).code] += runs[k];
+    distance_counts[one_pixel_back.code] += runs[k];
+  }
   const Code literal(literal_counts, length_limit), distance(distance_counts, length_limit);
 
   std::array<Bits, 256> byte;
   for (int c = 0; c < 256; ++c) byte[c] = literal[c];
-  std::array<std::array<Bits, longest_run + 1>, 4> run{};
-  run[row_start][0] = byte[0];
-  for (const Kind kind : {as_left, as_above})
-    for (std::size_t k = 1; k <= longest_run; ++k)
-      (run[kind][k] = literal(length_symbol(3 * k))) += distance(distance_of[kind]);
+  std::array<Bits, longest_run + 1> run{};
+  for (std::size_t k = 1; k <= longest_run; ++k)
+    (run[k] = literal(length_symbol(3 * k))) += distance(one_pixel_back);
 
   std::uint64_t size = 0;  // [bits], with all that may follow a code
   for (int s = 0; s < literals; ++s) size += std::uint64_t{literal_counts[s]} * (literal.lengths[s] + 5);
@@ -210,7 +215,7 @@ void PixelStream::write_block(bool last) {
   put_head(out, last, literal, distance);
   for (const Token t : tokens_) {
     if (const std::uint32_t kind = t >> 24; kind != pixel) {
-      out.put(run[kind][t & 0xff]);
+      out.put(kind == again ? run[t & 0xff] : byte[t & 0xff]);
       continue;
     }
     Bits color = byte[t >> 16];

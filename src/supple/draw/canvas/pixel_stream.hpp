@@ -6,12 +6,13 @@
 
 namespace supple {
 
-/// What a drawing is made of are areas of one colour and edges that go on from row to row. So only two
-/// repetitions are looked for, of the pixel to the left and of the row above, where a compressor for anything
-/// searches everywhere. Each block of tokens has its own prefix codes.
+/// What a drawing is made of are areas of one colour and edges that go on from row to row. So each row is
+/// stored as it is or less the row above, whichever has more pixels as the one before, and only these
+/// repetitions are looked for, where a compressor for anything searches everywhere. Each block of tokens has
+/// its own prefix codes.
 class PixelStream {
  public:
-  /// Of rows of `width` pixels, three bytes each behind a zero, which is the filter "none" of PNG.
+  /// Of rows of `width` pixels, three bytes each behind the number of their filter, as in PNG.
   explicit PixelStream(std::size_t width);
 
   /// Adds a row; of each pixel 0x..RRGGBB the upper byte means nothing.
@@ -20,18 +21,22 @@ class PixelStream {
   std::string finish();
 
  private:
-  /// A pixel (0x00RRGGBB); or, `kind` in the upper byte, the zero before a row, or so many pixels again.
+  /// A pixel (0x00RRGGBB); or, its kind in the upper byte, the filter of a row that begins, or for how many
+  /// pixels the last one is repeated.
   using Token = std::uint32_t;
-  enum Kind : std::uint32_t { pixel = 0, row_start = 1, as_left = 2, as_above = 3 };
+  enum Kind : std::uint32_t { pixel = 0, row_start = 1, again = 2 };
 
-  void repeat(Kind kind, std::size_t pixels);
-  void add_checksum();
+  void repeat(std::size_t pixels);
+  void add_checksum(const std::vector<std::uint32_t>& row, std::uint32_t filter);
   void write_block(bool last);
 
-  std::size_t width_, above_ = 0;              ///< pixels; bytes from a pixel to the one above, 0: too far
-  std::vector<std::uint32_t> row_, previous_;  ///< with an upper byte of zero
-  std::vector<std::uint8_t> same_left_, same_above_;  ///< whether pixels repeat
-  bool first_ = true;
+  struct Filtered {
+    std::vector<std::uint32_t> row;  ///< with an upper byte of zero
+    std::vector<std::uint8_t> same;  ///< whether a pixel is that to its left
+  };
+  std::size_t width_;  ///< pixels
+  std::vector<std::uint32_t> previous_;
+  Filtered plain_, less_above_;
   std::uint32_t sum_ = 1, sum_of_sums_ = 0;  ///< of Adler-32
   std::vector<Token> tokens_;
   std::string bytes_;
