@@ -199,8 +199,8 @@ TEST(AdhesiveLaw, TouchesThatPullDoNotRub) {
                 1e-12);
   }
   const DiscLaw discs{{k, 0, 2, 0}, {}, Tensile{}, 0.5};
-  EXPECT_EQ(respond_contact(Adhesive(w), discs, {1.2, 1, 0, 1}, 0.1, 0.01).tangential.force, 0);
-  EXPECT_LT(respond_contact(Adhesive(w), discs, {1.2, 1, 0, 1}, 0.1, 0.01).elastic, 0);
+  EXPECT_EQ(respond_contact(Adhesive(w), discs, {1.2, 1, 0, 1, 0.01}, 0.1).tangential.force, 0);
+  EXPECT_LT(respond_contact(Adhesive(w), discs, {1.2, 1, 0, 1, 0.01}, 0.1).elastic, 0);
 }
 
 /// The normal of a touch points away from the body whether it pushes or pulls, so that the elongation of a

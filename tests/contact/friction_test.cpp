@@ -9,7 +9,7 @@ namespace {
 constexpr double k_t = 50, eta_t = 2, dt = 0.01;
 
 TEST(Friction, BondAddsUpItsElongationWithoutALimit) {
-  const TangentialResponse r = bonded(0.3, 2, dt, k_t, eta_t);
+  const TangentialResponse r = bonded(0.3, 2 * dt, 2, k_t, eta_t);
   EXPECT_DOUBLE_EQ(r.elongation, 0.32);
   EXPECT_DOUBLE_EQ(r.force, 50 * 0.32 + 2 * 2);
   EXPECT_EQ(r.state, ContactState::permanent);
@@ -18,7 +18,7 @@ TEST(Friction, BondAddsUpItsElongationWithoutALimit) {
 TEST(Friction, SticksUpToTheLimit) {
   const double force = k_t * 0.32 + eta_t * 2;
   for (const Slip slip : {Slip::clamp, Slip::freeze, Slip::reset}) {
-    const TangentialResponse r = coulomb(0.3, 2, dt, k_t, eta_t, force, {slip, k_t});
+    const TangentialResponse r = coulomb(0.3, 2 * dt, 2, k_t, eta_t, force, {slip, k_t});
     EXPECT_EQ(r.state, ContactState::stick);
     EXPECT_DOUBLE_EQ(r.force, force);
     EXPECT_DOUBLE_EQ(r.elongation, 0.32);
@@ -28,7 +28,7 @@ TEST(Friction, SticksUpToTheLimit) {
 TEST(Friction, SlipsAtTheLimitWithTheSignOfTheTrialForce) {
   for (const double sign : {1.0, -1.0})
     for (const Slip slip : {Slip::clamp, Slip::freeze, Slip::reset}) {
-      const TangentialResponse r = coulomb(sign * 0.3, sign * 2, dt, k_t, eta_t, 5, {slip, k_t});
+      const TangentialResponse r = coulomb(sign * 0.3, sign * 2 * dt, sign * 2, k_t, eta_t, 5, {slip, k_t});
       EXPECT_EQ(r.state, ContactState::slip);
       EXPECT_DOUBLE_EQ(r.force, sign * 5);
       const double held = slip == Slip::clamp ? (5 - eta_t * 2) / k_t : slip == Slip::freeze ? 0.3 : 0;
@@ -37,16 +37,16 @@ TEST(Friction, SlipsAtTheLimitWithTheSignOfTheTrialForce) {
 }
 
 TEST(Friction, WithoutFrictionNothingIsHeld) {
-  const TangentialResponse r = coulomb(0, 2, dt, k_t, 0, 0, {Slip::clamp, k_t});
+  const TangentialResponse r = coulomb(0, 2 * dt, 2, k_t, 0, 0, {Slip::clamp, k_t});
   EXPECT_EQ(r.force, 0);
   EXPECT_EQ(r.elongation, 0);
-  const TangentialResponse at_rest = coulomb(0, 0, dt, k_t, eta_t, 0, {Slip::clamp, k_t});
+  const TangentialResponse at_rest = coulomb(0, 0, 0, k_t, eta_t, 0, {Slip::clamp, k_t});
   EXPECT_EQ(at_rest.force, 0);
   EXPECT_EQ(at_rest.state, ContactState::stick);
 }
 
 TEST(Friction, AnEvaluationWithoutTimeLeavesTheElongation) {
-  EXPECT_DOUBLE_EQ(coulomb(0.3, 2, 0, k_t, eta_t, 1e3, {Slip::clamp, k_t}).elongation, 0.3);
+  EXPECT_DOUBLE_EQ(coulomb(0.3, 0, 2, k_t, eta_t, 1e3, {Slip::clamp, k_t}).elongation, 0.3);
 }
 
 }  // namespace

@@ -25,6 +25,10 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
   EXPECT_EQ(a.box.strain_rate, b.box.strain_rate);
   EXPECT_TRUE(same_bits(a.state.position, b.state.position));
   EXPECT_TRUE(same_bits(a.state.velocity, b.state.velocity));
+  EXPECT_TRUE(same_bits(a.acceleration.site, b.acceleration.site));
+  EXPECT_TRUE(same_bits(a.acceleration.spin, b.acceleration.spin));
+  EXPECT_TRUE(same_bits(a.acceleration.rigid, b.acceleration.rigid));
+  EXPECT_TRUE(same_bits(a.acceleration.rigid_spin, b.acceleration.rigid_spin));
   EXPECT_TRUE(same_bits(a.state.mass, b.state.mass));
   EXPECT_TRUE(same_bits(a.state.radius, b.state.radius));
   EXPECT_TRUE(same_bits(a.state.angle, b.state.angle));

@@ -80,6 +80,10 @@ inline System<2> sample_system(int discs) {
     system.state.inertia[s] = 3 + i / 17.;
     system.state.mobility[s] = static_cast<Mobility>(i % 4);
   }
+  for (int i = 0; i < discs; ++i) {
+    system.acceleration.site.push_back({i / 31., -i / 37.});
+    system.acceleration.spin.push_back(std::cbrt(i) / 3);
+  }
   system.topology.begin = {0, 2, discs};
   system.topology.facet_begin = {0, 2, 2};
   system.topology.hinge_begin = {0, 0, 1};

@@ -74,7 +74,8 @@ TEST(EnergyAccount, DampingTakesWhatTheDiscsLose) {
   System<2> s = colliding();
   s.state.velocity = {{-0.5, 1}, {0.5, 2}};
   const Outcome r = run(s, {100, 0, 0, 0}, 0, 0.999);
-  EXPECT_NEAR(r.flows.background, r.before.kinetic * (1 - std::pow(0.999, 2000)), 1e-12);
+  // The half step that is left to the last instant has its damping with the next step.
+  EXPECT_NEAR(r.flows.background, r.before.kinetic * (1 - std::pow(0.999, 2 * 999.5)), 1e-12);
   EXPECT_NEAR(r.residual, 0, 1e-14);
 }
 

@@ -123,6 +123,7 @@ TEST(LeesEdwards, ForcesOfAWholeCycleAreThoseOfAllPairs) {
     Evaluation<2> expected;
     expected.force.resize(all.state.size());
     expected.torque.resize(all.state.size());
+    expected.now = evaluation.now;
     contacts.evaluate(all, all.lag, Detail::forces, expected);
     ASSERT_EQ(evaluation.force, expected.force) << "step " << i;
     ASSERT_EQ(evaluation.torque, expected.torque) << "step " << i;

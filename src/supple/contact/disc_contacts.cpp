@@ -37,9 +37,10 @@ struct Touching {
   int contacts = 0, links = 0, count = 0;
   std::array<std::int32_t, batch_size> candidate;  ///< of each lane
   std::array<std::int32_t, batch_size> lane;       ///< of each touching row, in the order of the table
-  Lane x, y, v_x, v_y, d0, elongation;
-  Lane rolling;  ///< r_i w_i + r_j w_j
-  Lane distance, n_x, n_y, v_n, v_t, elastic, viscous, tangential, new_elongation;
+  Lane x, y, d0, elongation;
+  Lane v_x, v_y, rolling;          ///< relative velocity and r_i w_i + r_j w_j, of the state
+  Lane now_x, now_y, now_rolling;  ///< the same of the instant of the positions
+  Lane distance, n_x, n_y, slid, elastic, viscous, tangential, new_elongation;
   std::array<ContactState, batch_size> state;
   Lane f_x, f_y, twist;  ///< on the first disc; torque per radius
 
@@ -91,9 +92,13 @@ void select_touching(const PairTable& pairs, double range, const Candidates& c, 
   }
 }
 
-void gather_motion(const System<2>& system, const Candidates& c, Touching& t) {
+void gather_motion(const System<2>& system, const PresentMotion<2>& motion, const Candidates& c,
+                   Touching& t) {
   const State<2>& s = system.state;
-  const double jump = system.box.velocity_jump(1)[flow];
+  const Vec2* velocity = motion.empty() ? s.velocity.data() : motion.velocity.data();
+  const double* spin = motion.empty() ? s.spin.data() : motion.spin.data();
+  const double jump = system.box.velocity_jump(1)[flow],
+               jump_now = motion.empty() ? jump : motion.strain_rate * system.box.length[gradient];
   for (int a = 0; a < t.count; ++a) {
     const int lane = t.lane[a], k = t.candidate[lane], row = c.begin + k;
     const auto i = system.pairs.first[row], j = system.pairs.second[row];
@@ -108,25 +113,30 @@ void gather_motion(const System<2>& system, const Candidates& c, Touching& t) {
     t.v_x[lane] = s.velocity[j][0] - s.velocity[i][0] - c.up[k] * jump;
     t.v_y[lane] = s.velocity[j][1] - s.velocity[i][1];
     t.rolling[lane] = s.radius[i] * s.spin[i] + s.radius[j] * s.spin[j];
+    t.now_x[lane] = velocity[j][0] - velocity[i][0] - c.up[k] * jump_now;
+    t.now_y[lane] = velocity[j][1] - velocity[i][1];
+    t.now_rolling[lane] = s.radius[i] * spin[i] + s.radius[j] * spin[j];
     t.elongation[lane] = system.pairs.history[row];
   }
 }
 
-/// respond(motion, elongation) in lanes [begin, end). Share of the lever arm that goes with the distance: 1
-/// or 0. Everything by value: the compiler then knows that no lane aliases it.
+/// respond(motion, elongation) in lanes [begin, end), after a step of dt. Everything by value: the compiler
+/// then knows that no lane aliases it.
 template <class Respond>
-void apply_law(int begin, int end, const double share, Touching& t, const Respond respond) {
+void apply_law(int begin, int end, const LeverArm lever_arm, const double dt, Touching& t,
+               const Respond respond) {
+  const double share = lever_arm == LeverArm::distance ? 1 : 0;
   for (int k = begin; k < end; ++k) {
     const double d = std::sqrt(t.x[k] * t.x[k] + t.y[k] * t.y[k]);
-    const Vec2 n{t.x[k] / d, t.y[k] / d}, v{t.v_x[k], t.v_y[k]};
+    const Vec2 n{t.x[k] / d, t.y[k] / d}, v{t.v_x[k], t.v_y[k]}, now{t.now_x[k], t.now_y[k]};
     const double arm = share * (d / t.d0[k]) + (1 - share);
-    const PairMotion motion{d, t.d0[k], dot(v, n), dot(v, turned_left(n)) - arm * t.rolling[k]};
+    const double slid = way_slid(d, t.d0[k], dot(v, n), dot(v, turned_left(n)), t.rolling[k], lever_arm, dt);
+    const PairMotion motion{d, t.d0[k], dot(now, n), dot(now, turned_left(n)) - arm * t.now_rolling[k], slid};
     const DiscResponse f = respond(motion, t.elongation[k]);
     t.distance[k] = d;
     t.n_x[k] = n[0];
     t.n_y[k] = n[1];
-    t.v_n[k] = motion.v_n;
-    t.v_t[k] = motion.v_t;
+    t.slid[k] = slid;
     t.elastic[k] = f.elastic;
     t.viscous[k] = f.viscous;
     t.tangential[k] = f.tangential.force;
@@ -175,26 +185,38 @@ void add_forces(const System<2>& system, const Candidates& c, const Touching& t,
   }
 }
 
+/// The tangential way of a row that has opened over the last step.
+double way_slid_of_open(const System<2>& system, const DiscLaw& law, double dt, const Candidates& c, int k) {
+  const State<2>& s = system.state;
+  const auto i = system.pairs.first[c.begin + k], j = system.pairs.second[c.begin + k];
+  const double d = std::sqrt(c.d2[k]);
+  const Vec2 n{c.x[k] / d, c.y[k] / d}, v = s.velocity[j] - s.velocity[i] - system.box.velocity_jump(c.up[k]);
+  return way_slid(d, c.d0[k], dot(v, n), dot(v, turned_left(n)),
+                  s.radius[i] * s.spin[i] + s.radius[j] * s.spin[j], law.lever_arm, dt);
+}
+
 template <class R>
 void add_energies(const R& repulsion, const DiscLaw& law, const System<2>& system, double dt,
                   const Candidates& c, const Touching& t, const Evaluation<2>& out, ChunkSum& sum) {
-  for (int row = c.begin; row < c.begin + c.count; ++row) {
-    const double u = system.pairs.history[row];
+  for (int k = 0; k < c.count; ++k) {
+    const double u = system.pairs.history[c.begin + k];
     // A spring that is still wound up when the contact opens is lost to friction.
-    if (!out.pair[row].active && u != 0 && dt > 0)
-      sum.energy.sliding_power += 0.5 * law.contact.k_t * u * u / dt;
+    if (out.pair[c.begin + k].active || u == 0 || dt == 0) continue;
+    const double slid = way_slid_of_open(system, law, dt, c, k);
+    sum.energy.sliding_power +=
+        book({0, 0, ContactState::slip}, u, slid, 0, dt, law.contact.k_t, law.slip).sliding_power;
   }
   for (int a = 0; a < t.count; ++a) {
     const int lane = t.lane[a], row = c.begin + t.candidate[lane];
     const bool linked = lane >= t.links_begin();
     const PairStiffness& s = linked ? law.link : law.contact;
     sum.energy.elastic += elastic_energy(repulsion, law, t.distance[lane], t.d0[lane], linked);
-    sum.energy.viscous_power += s.eta * t.v_n[lane] * t.v_n[lane];
-    const double u = t.elongation[lane], to = t.new_elongation[lane];
-    // The spring in the mean of the step, as it stores energy.
-    const TangentialBooks books =
-        book({t.tangential[lane] - 0.5 * s.k_t * (to - u), to, out.trial_state[row]}, u, t.v_t[lane], dt,
-             s.k_t, s.eta_t, law.slip);
+    const Vec2 v{t.v_x[lane], t.v_y[lane]}, &n = out.pair[row].normal;
+    // Torques have these arms, whatever the law's speed has.
+    const double v_t = dot(v, turned_left(n)) - t.distance[lane] / t.d0[lane] * t.rolling[lane];
+    sum.energy.viscous_power -= t.viscous[lane] * dot(v, n);
+    const TangentialBooks books = book({t.tangential[lane], t.new_elongation[lane], out.trial_state[row]},
+                                       t.elongation[lane], t.slid[lane], v_t, dt, s.k_t, law.slip);
     sum.energy.tangential += books.energy;
     sum.energy.tangential_viscous_power += books.viscous_power;
     sum.energy.sliding_power += books.sliding_power;
@@ -251,11 +273,11 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
   const Lattice<2> images = system.box.lattice();
   const DiscLaw law = law_;
   const SlipRule slip(law.slip, law.contact.k_t);
-  const double share = law.lever_arm == LeverArm::distance ? 1 : 0, range = range_of(repulsion);
+  const double range = range_of(repulsion);
   const auto contact = [=](const PairMotion& m, double u) {
-    return respond_contact(repulsion, law, slip, m, u, dt);
+    return respond_contact(repulsion, law, slip, m, u);
   };
-  const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u, dt); };
+  const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u); };
   const bool serial = runs_in_place(system.state.size());
 
   const ChunkSum total = sum_chunks<ChunkSum>(system.state.size(), [&](std::int64_t begin, std::int64_t end) {
@@ -267,9 +289,9 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
       c.count = std::min(batch_size, pairs.begin[end] - row);
       separate(system, images, c);
       select_touching(pairs, range, c, t);
-      gather_motion(system, c, t);
-      apply_law(0, t.contacts, share, t, contact);
-      apply_law(t.links_begin(), batch_size, share, t, link);
+      gather_motion(system, out.now, c, t);
+      apply_law(0, t.contacts, law.lever_arm, dt, t, contact);
+      apply_law(t.links_begin(), batch_size, law.lever_arm, dt, t, link);
       write_rows(c, t, out);
       if (serial) add_forces(system, c, t, out);
       if (detail == Detail::energies) add_energies(repulsion, law, system, dt, c, t, out, sum);

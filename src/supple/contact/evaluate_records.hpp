@@ -18,12 +18,13 @@ struct ContactResponse {
   ContactState state = ContactState::stick;
 };
 
-/// What a law sees: the record, the velocity of the side of positive weight relative to the other
-/// [length/time], what the contact remembers, and the time `dt` over which this velocity has acted since.
+/// What a law sees: the record, the velocity of the side of positive weight relative to the other, with and
+/// without their spins [length/time], what the contact remembers, and the time `dt` over which these
+/// velocities have acted since.
 template <int Dim>
 struct ContactMotion {
   const ContactRecord<Dim>& record;
-  Vec<Dim> velocity;
+  Vec<Dim> velocity, branch_velocity;
   ContactState state;
   std::span<const double> history;
   double dt;
@@ -42,8 +43,12 @@ void evaluate_records(const System<Dim>& system, const std::vector<ContactRecord
   for (const ContactRecord<Dim>& record : records) {
     const std::span old(pairs.history.data() + record.row * width, width);
     const std::span trial(out.trial_history.data() + record.row * width, width);
-    const ContactMotion<Dim> motion{record, relative_velocity(record, system.state, system.box),
-                                    pairs.state[record.row], old, dt};
+    const ContactMotion<Dim> motion{record,
+                                    relative_velocity(record, system.state, system.box),
+                                    branch_velocity(record, system.state, system.box),
+                                    pairs.state[record.row],
+                                    old,
+                                    dt};
     const ContactResponse<Dim> response = law(motion, trial);
     out.trial_state[record.row] = response.state;
     scatter(record, response.force, out.force, out.torque);

@@ -13,7 +13,7 @@ void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& li
   frame.sites = {{i, -1}, {j, +1}};
   frame.up = link.cells[gradient];
   frame.jump = system.box.velocity_jump(frame.up);
-  frame.branch = link_vector(system, link) - at.back * frame.separation_velocity(state);
+  frame.branch = link_vector(system, link) - at.back * frame.separation_velocity(at);
   const double d = norm(frame.branch);
   frame.normal = d > 0 ? (1 / d) * frame.branch : arbitrary_direction<2>(i, j);
   const double share = state.radius[i] / (state.radius[i] + state.radius[j]);
@@ -36,20 +36,24 @@ void LinkForces::evaluate(const System<2>& system, BodyContacts&, double dt, Det
     const LinkLaw& law =
         laws_.of(system.species_of(body_[link.first]), system.species_of(body_[link.second]));
     const Vec2 v = moved.velocity(then), n = frame_.normal;
-    const double v_n = dot(v, moved.normal), v_t = dot(v, turned_left(moved.normal)), d = norm(frame_.branch);
+    const double slid = dt * dot(v, turned_left(moved.normal)), d = norm(frame_.branch);
+    const TouchMotion motion = present_motion_of(frame_, moved, v, system, out.now);
 
-    const TangentialResponse r = bonded(link.elongation, v_t, dt, law.k_t, law.eta_t);
-    const double elastic = law.force(d, link.rest), viscous = -law.eta * v_n, central = elastic + viscous;
+    const TangentialResponse r = bonded(link.elongation, slid, motion.v_t, law.k_t, law.eta_t);
+    const double elastic = law.force(d, link.rest), viscous = -law.eta * motion.v_n,
+                 central = elastic + viscous;
     out.trial_link.push_back(r.elongation);
     const Mat2 before = out.virial;
     frame_.scatter(central * n - r.force * turned_left(n), system.state, out);
     out.link_force.push_back({elastic, viscous, r.force, out.virial + -1.0 * before});
 
-    if (detail == Detail::energies) lossy_.push_back({frame_, viscous, r.force - law.k_t * r.elongation, 0});
-    const TangentialBooks books = book(r, link.elongation, v_t, dt, law.k_t, law.eta_t, Slip::clamp);
+    if (detail != Detail::energies) continue;
+    lossy_.push_back({frame_, viscous, r.force - law.k_t * r.elongation, 0});
+    const TouchMotion booked = booked_motion(frame_, now, motion, out.now);
+    const TangentialBooks books = book(r, link.elongation, slid, booked.v_t, dt, law.k_t, Slip::clamp);
     out.energy.elastic += law.energy(d, link.rest);
     out.energy.tangential += books.energy;
-    out.energy.viscous_power += law.eta * v_n * v_n;
+    out.energy.viscous_power -= viscous * booked.v_n;
     out.energy.tangential_viscous_power += books.viscous_power;
   }
 }

@@ -58,6 +58,14 @@ struct ContactRecord {
   }
 };
 
+/// d(branch)/dt: the velocity of the sites of positive weight relative to the others, without their spins.
+template <int Dim>
+Vec<Dim> branch_velocity(const ContactRecord<Dim>& record, const State<Dim>& state, const Box<Dim>& box) {
+  Vec<Dim> v = -box.velocity_jump(record.up);
+  for (int k = 0; k < record.sites; ++k) v += record.weight[k] * state.velocity[record.site[k]];
+  return v;
+}
+
 /// Velocity at the contact of the side of positive weight, relative to the other; its part along n is
 /// d(gap)/dt.
 template <int Dim>

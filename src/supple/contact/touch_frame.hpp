@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "supple/contact/laws/touch.hpp"
 #include "supple/geometry/boundary_rotation.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/loss_power.hpp"
@@ -50,14 +51,20 @@ struct TouchFrame {
     return largest * std::max(1.0, norm(branch) / reach);
   }
   /// sum c_a v_a - jump [length/time].
-  Vec2 separation_velocity(const State<2>& state) const {
+  Vec2 separation_velocity(const Instant& at) const {
     Vec2 v = -jump;
-    for (const SiteWeight& s : sites) v += s.weight * state.velocity[s.site];
+    for (const SiteWeight& s : sites) v += s.weight * at.velocity(s.site);
     return v;
   }
   /// The velocity v of TouchFrame [length/time]; the frame must be filled for this instant.
   Vec2 velocity(const Instant& at) const {
-    return separation_velocity(at.state) - cross(rotation.rate(at), branch);
+    return separation_velocity(at) - cross(rotation.rate(at), branch);
+  }
+  /// The same with the velocities of the instant of the positions, in a cell that shears at its rate.
+  Vec2 present_velocity(const System<2>& system, const PresentMotion<2>& now) const {
+    Vec2 rest = jump;
+    rest[flow] -= up * now.strain_rate * system.box.length[gradient];
+    return velocity({system.state, 0, &now}) + rest;
   }
   /// Adds the force G on the positive side, its reaction and their torques, and their virial: G b^T, and sum
   /// f x^T of the forces that the torques act as.
@@ -67,6 +74,24 @@ struct TouchFrame {
     rotation.apply(-cross(branch, g), state, out.force, out.torque, out.virial);
   }
 };
+
+/// The motion that dashpots see: of this instant where it is known, about the frame as it is; else `v`, of
+/// the middle of the last step, about the frame as it was there.
+inline TouchMotion present_motion_of(const TouchFrame& frame, const TouchFrame& moved, const Vec2& v,
+                                     const System<2>& system, const PresentMotion<2>& now) {
+  if (now.empty()) return {dot(v, moved.normal), dot(v, turned_left(moved.normal))};
+  const Vec2 present = frame.present_velocity(system, now);
+  return {dot(present, frame.normal), dot(present, turned_left(frame.normal))};
+}
+
+/// The motion at which the power of dashpots is booked: that of the last half step, in which their forces act
+/// (EnergyBalance); `seen` by the dashpots where it is the only one.
+inline TouchMotion booked_motion(const TouchFrame& frame, const Instant& at, const TouchMotion& seen,
+                                 const PresentMotion<2>& now) {
+  if (now.empty()) return seen;
+  const Vec2 v = frame.velocity(at);
+  return {dot(v, frame.normal), dot(v, turned_left(frame.normal))};
+}
 
 /// The forces of one touch by which it loses energy: along n on the positive side, and against t on it.
 struct LossyTouch {

@@ -91,7 +91,8 @@ void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, c
   if (dt > 0) fill(earlier_, system, records, contacts.laws(), touch, body_, then);
   const TouchFrame& moved = dt > 0 ? earlier_ : frame_;
   const Vec2 v = moved.velocity(then), n = frame_.normal;
-  const TouchMotion motion{dot(v, moved.normal), dot(v, turned_left(moved.normal))};
+  const double slid = dt * dot(v, turned_left(moved.normal));
+  const TouchMotion motion = present_motion_of(frame_, moved, v, system, out.now);
 
   const TouchKey key = key_of(records.front(), contacts.meeting());
   const std::array<std::int32_t, 2> pair = records.front().species;
@@ -101,7 +102,7 @@ void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, c
   const double u = known ? known->elongation : 0,
                leverage = frame_.leverage(contacts.laws().of(pair).range() * records.front().reach),
                scale = scale_of(system, contacts, key.site) / (leverage * leverage);
-  const TouchResponse r = respond_touch(law, scale, touch.normal_force(), motion, u, dt);
+  const TouchResponse r = respond_touch(law, scale, touch.normal_force(), motion, slid, u);
   out.trial_touch.push_back({key, r.tangential.state, r.tangential.elongation});
   const Mat2 before = out.virial;
   frame_.scatter(r.viscous * n - r.tangential.force * turned_left(n), system.state, out);
@@ -111,13 +112,12 @@ void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, c
   const double k_t = scale * law.k_t, dashpot = r.tangential.force - k_t * r.tangential.elongation;
   const bool freely = r.tangential.state == ContactState::slip && law.slip != Slip::clamp;
   lossy_.push_back({frame_, r.viscous, freely ? 0 : dashpot, freely ? dashpot : 0});
-  TangentialResponse in_the_mean = r.tangential;  // the spring over the step, as it stores energy
-  in_the_mean.force -= 0.5 * k_t * (r.tangential.elongation - u);
-  const TangentialBooks books = book(in_the_mean, u, motion.v_t, dt, k_t, scale * law.eta_t, law.slip);
+  const TouchMotion booked = booked_motion(frame_, now, motion, out.now);
+  const TangentialBooks books = book(r.tangential, u, slid, booked.v_t, dt, k_t, law.slip);
   out.energy.tangential += books.energy;
   out.energy.tangential_viscous_power += books.viscous_power;
   out.energy.sliding_power += books.sliding_power;
-  out.energy.viscous_power -= r.viscous * motion.v_n;
+  out.energy.viscous_power -= r.viscous * booked.v_n;
 }
 
 /// A spring that is still wound up when its contact opens is lost to friction.

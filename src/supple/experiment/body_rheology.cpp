@@ -143,7 +143,7 @@ double sheared_body_step(const Case& c, const BodyLaws& laws, Packing& packing) 
                                    laws.link.most([](const LinkLaw& l) { return l.eta + 3 * l.eta_t; }));
   const double w = std::sqrt(conservative * conservative + neighbours * springs / mass);
   const double z = neighbours * dashpots / (2 * mass * w);
-  return c.time.step_factor * step_share * 2 / w * (std::sqrt(1 + z * z) - z);
+  return c.time.step_factor * step_share * leapfrog_limit(w, z);
 }
 
 }  // namespace supple

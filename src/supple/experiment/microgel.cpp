@@ -11,6 +11,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/material.hpp"
 #include "supple/model/discs.hpp"
+#include "supple/solve/time_step.hpp"
 
 namespace supple {
 
@@ -82,7 +83,7 @@ double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double s
   const auto limit = [&](const PairStiffness& p, double s) {
     const double w = std::sqrt(contacts * (s * p.k + 3 * p.k_t) / smallest_mass);
     const double z = contacts * (p.eta + 3 * p.eta_t) / (2 * smallest_mass * w);
-    least = std::min(least, 2 / w * (std::sqrt(1 + z * z) - z));
+    least = std::min(least, leapfrog_limit(w, z));
   };
   limit(law.contact, compressed);
   limit(law.link, std::max(compressed, tensile_stiffening(law.tension, amplitude)));
@@ -120,7 +121,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
   k.time_step = step_share * k.stable_step * c.time.step_factor;
-  k.relaxation_step = step_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
+  k.relaxation_step = relaxation_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
   if (initial && experiment_of(c).keeps_step)
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end())
       k.time_step = dt->second * initial->units.time * c.time.step_factor;
@@ -129,7 +130,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
     throw input_error(
         fmt::format("time step {:.4g} s is above the stability limit {:.4g} s", k.time_step, k.stable_step),
         "the stiffest disc would gain energy at every step",
-        fmt::format("set [time] step to at most {:.3g} s, or leave it out for {:.3g} s", 0.5 * k.stable_step,
+        fmt::format("set [time] step to at most {:.3g} s, or leave it out for {:.3g} s", 0.9 * k.stable_step,
                     step_share * k.stable_step));
   return k;
 }

@@ -40,16 +40,17 @@ std::set<std::string> microgel_first_keys();
 /// The repulsion law that the case names; c is the central repulsion coefficient.
 Repulsion make_repulsion(const Material& material, double c);
 
-/// Largest stable step of explicit dynamics [time]: 2/w (sqrt(1 + z^2) - z) for a disc of the smallest mass m
-/// held by six contacts or links, with w^2 = 6 (s k + 3 k_t)/m and damping ratio z = 6 (eta + 3 eta_t)/(2 m
-/// w) [O'Sullivan & Bray 2004, with damping]. s is the largest stiffening -F'(d)/k, at least 1, up to 50 %
-/// overlap and, of links, up to their stretch in an affine shear by `amplitude`. In the 3, 1 is of
-/// translation and 2 of rotation (r^2/I = 2/m).
+/// Largest stable step of explicit dynamics [time]: leapfrog_limit() for a disc of the smallest mass m held
+/// by six contacts or links, with w^2 = 6 (s k + 3 k_t)/m and damping ratio z = 6 (eta + 3 eta_t)/(2 m w). s
+/// is the largest stiffening -F'(d)/k, at least 1, up to 50 % overlap and, of links, up to their stretch in
+/// an affine shear by `amplitude`. In the 3, 1 is of translation and 2 of rotation (r^2/I = 2/m).
 double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass,
                         double amplitude);
 
-/// Share of the stability limit that is used as time step: a contact period then has about 20 steps.
-inline constexpr double step_share = 0.15;
+/// Shares of the stability limit. The time step of protocols: the stiffest contact has about 10 steps in a
+/// period, and G' and G'' are within 0.1 % of those of a vanishing step (docs/decisions/0018). That of the
+/// preparation, whose first steps are four times as long.
+inline constexpr double step_share = 0.5, relaxation_share = 0.2;
 
 /// The plates of the case once the discs are prepared; a periodic cell has none.
 Plates plates_of(const Case& c);

@@ -71,6 +71,9 @@ class ForceField {
     return sum;
   }
 
+  /// Whether forces depend on velocities.
+  bool has_dashpots() const { return !bodies_ || !interactions_.empty(); }
+
   /// Accepts the step: contacts remember what `evaluation`, made at this state, found.
   void commit(System<2>& system, Evaluation<2>& evaluation) {
     system.floor_contact.swap(evaluation.trial_floor_contact);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "supple/model/evaluation.hpp"
 #include "supple/model/ring.hpp"
 #include "supple/model/state.hpp"
 
@@ -11,10 +12,14 @@ namespace supple {
 
 /// Sites at the time `back` before the present: positions x - back v; 0: as they are. The velocities of a
 /// leapfrog belong to the middle of the last step. In a rigid rotation they are an exact rotation about the
-/// positions of that instant, x - (dt/2) v, while about x there is an error of second order in dt.
+/// positions of that instant, x - (dt/2) v, while about x there is an error of second order in dt. Velocities
+/// of the instant of the positions themselves may be given as `motion`.
 struct Instant {
   const State<2>& state;
   double back = 0;  ///< [time]
+  const PresentMotion<2>* motion = nullptr;
+
+  const Vec2& velocity(std::int32_t a) const { return motion ? motion->velocity[a] : state.velocity[a]; }
 
   Vec2 position(std::int32_t a) const { return state.position[a] - back * state.velocity[a]; }
   Vec2 edge(std::int32_t a, std::int32_t b) const {
@@ -24,6 +29,7 @@ struct Instant {
   /// straight, perpendicular to its arm, and reaches the angle w back in the time `back` had the angular
   /// velocity tan(w back)/back.
   double spin(std::int32_t a) const {
+    if (motion) return motion->spin[a];
     return back > 0 ? std::tan(back * state.spin[a]) / back : state.spin[a];
   }
 };
@@ -61,7 +67,7 @@ class BoundaryRotation {
   /// The angular velocity w [1/time].
   double rate(const Instant& at) const {
     double w = 0;
-    for (const SiteShare& s : sites_) w += dot(s.weight, at.state.velocity[s.site]);
+    for (const SiteShare& s : sites_) w += dot(s.weight, at.velocity(s.site));
     for (const SpinShare& s : spins_) w += s.share * at.spin(s.site);
     return w;
   }

@@ -42,6 +42,7 @@ void convert(System<Dim>& system, const Units& from, const Units& to) {
   detail::convert_all(system, from, to);
   detail::convert_all(system.box, from, to);
   detail::convert_all(system.state, from, to);
+  detail::convert_all(system.acceleration, from, to);
   detail::convert_all(system.shape, from, to);
   for (ShapeStiffness& stiffness : system.shape.stiffness) detail::convert_all(stiffness, from, to);
   detail::convert_all(system.rigid, from, to);

@@ -65,6 +65,17 @@ struct EnergyParts {
   double stored() const { return terms + elastic + tangential + wall + external; }
 };
 
+/// Velocities [length/time] and spins [1/time] of sites, and the shear rate [1/time], at the instant of the
+/// positions, as dashpots need them. Empty: those of the system are of that instant.
+template <int Dim>
+struct PresentMotion {
+  std::vector<Vec<Dim>> velocity;
+  std::vector<Angular<Dim>> spin;
+  double strain_rate = 0;
+
+  bool empty() const { return velocity.empty(); }
+};
+
 /// Forces [force] and torques [torque] on every site, the contacts that made them, and what contacts will
 /// remember if the step is accepted (ForceField::commit). `virial` [energy] is the volume of the cell times
 /// the static stress, compression positive: the sum of F l^T over contacts (F on a site, l from the other
@@ -72,6 +83,7 @@ struct EnergyParts {
 /// `energy` and `virial` are filled on request (Detail::energies).
 template <int Dim>
 struct Evaluation {
+  PresentMotion<Dim> now;  ///< given: what present_motion() finds
   std::vector<Vec<Dim>> force;
   std::vector<Angular<Dim>> torque;
   std::vector<PairForce<Dim>> pair;         ///< aligned with System::pairs

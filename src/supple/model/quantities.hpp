@@ -121,6 +121,14 @@ inline constexpr auto quantities<Link> =
                Quantity{"elongation", &Link::elongation, unit::length, "of the tangential spring"}};
 
 template <int Dim>
+inline constexpr auto quantities<Acceleration<Dim>> =
+    std::tuple{Quantity{"site", &Acceleration<Dim>::site, unit::acceleration,
+                        "of discs and vertices in the last step, beside that of the flow"},
+               Quantity{"spin", &Acceleration<Dim>::spin, unit::turning, "of discs, likewise"},
+               Quantity{"rigid", &Acceleration<Dim>::rigid, unit::acceleration, "of rigid bodies"},
+               Quantity{"rigid_spin", &Acceleration<Dim>::rigid_spin, unit::turning, "of rigid bodies"}};
+
+template <int Dim>
 inline constexpr auto quantities<System<Dim>> =
     std::tuple{Quantity{"time", &System<Dim>::time, unit::time, "since the clock was last set to 0"},
                Quantity{"lag", &System<Dim>::lag, unit::time,

@@ -14,6 +14,17 @@
 
 namespace supple {
 
+/// How fast velocities and spins changed in the last step of a leapfrog, beside the change of the flow: by
+/// this, those that lag are brought to the instant of the positions before the forces there are known. Arrays
+/// over sites and over rigid bodies. Those of other sites or bodies (knows_acceleration) count as 0.
+template <int Dim>
+struct Acceleration {
+  std::vector<Vec<Dim>> site;      ///< [length/time^2]
+  std::vector<Angular<Dim>> spin;  ///< [1/time^2]
+  std::vector<Vec2> rigid;         ///< [length/time^2]
+  std::vector<double> rigid_spin;  ///< [1/time^2]
+};
+
 /// The whole state of a simulation.
 template <int Dim>
 struct System {
@@ -37,7 +48,14 @@ struct System {
   /// half of it behind them; the memory of contacts has not followed yet. 0: positions, velocities and memory
   /// are of one instant.
   double lag = 0;
+  Acceleration<Dim> acceleration;
   std::int64_t step = 0;
+
+  bool knows_acceleration() const {
+    return !acceleration.site.empty() && acceleration.site.size() == state.position.size() &&
+           acceleration.spin.size() == state.spin.size() && acceleration.rigid.size() == rigid.body.size() &&
+           acceleration.rigid_spin.size() == rigid.body.size();
+  }
 
   std::int32_t species_of(std::int32_t body) const {
     return static_cast<std::size_t>(body) < species.size() ? species[body] : 0;

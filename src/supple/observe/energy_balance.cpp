@@ -6,22 +6,6 @@
 namespace supple {
 namespace {
 
-/// Work per time of all forces at the velocities as they stand.
-double power_now(const System<2>& system, const Evaluation<2>& evaluation) {
-  const State<2>& s = system.state;
-  double power = 0;
-  for_sites_apart(system, [&](int i) {
-    if (s.mobility[i] == Mobility::free) power += dot(evaluation.force[i], s.velocity[i]);
-    power += evaluation.torque[i] * s.spin[i];
-  });
-  for (int r = 0; r < system.rigid.size(); ++r) {
-    if (held(system, r)) continue;
-    const RigidForce on_body = force_on_rigid(system, evaluation.force, r);
-    power += dot(on_body.force, system.rigid.velocity[r]) + on_body.torque * system.rigid.spin[r];
-  }
-  return power;
-}
-
 /// Power of what moves the plates: it works against all forces on what it moves.
 double plate_power(const System<2>& system, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
@@ -86,24 +70,7 @@ void EnergyBalance::book(double EnergyFlows::*part, double sign, const System<2>
   kinetic_ = now;
 }
 
-// A change of velocities by dv at an instant costs m (v + F left/m + dv/2).dv, v being the velocities as they
-// stand: what book() books, and F.dv left.
-void EnergyBalance::book_at_instant(double EnergyFlows::*part, double sign, const System<2>& system,
-                                    const Evaluation<2>& evaluation, double left) {
-  const double power = power_now(system, evaluation);
-  flows_.*part += sign * left * (power - power_);
-  power_ = power;
-  book(part, sign, system);
-}
-
-void EnergyBalance::meet(const System<2>& system, const Evaluation<2>& evaluation) {
-  power_ = power_now(system, evaluation);
-}
-
-void EnergyBalance::book_contacts(const System<2>& system, const Evaluation<2>& evaluation) {
-  kinetic_ = kinetic_energy(system).total();
-  meet(system, evaluation);
-}
+void EnergyBalance::book_contacts(const System<2>& system) { kinetic_ = kinetic_energy(system).total(); }
 
 void EnergyBalance::book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time) {
   flows_.plates += time * plate_power(system, evaluation);

@@ -68,15 +68,8 @@ class EnergyBalance {
 
   /// Books the change of kinetic energy since the last booking as work (sign +1) or as loss (-1).
   void book(double EnergyFlows::*flow, double sign, const System<2>& system);
-  /// The same for a change of velocities that belongs to the instant of the forces given to meet(). It is
-  /// made while these forces have still to act for `left` [time] to reach that instant (negative: have acted
-  /// beyond it), and its work is taken with the velocities of that instant.
-  void book_at_instant(double EnergyFlows::*flow, double sign, const System<2>& system,
-                       const Evaluation<2>& evaluation, double left);
-  /// To be called with the forces of each instant before anything changes the velocities.
-  void meet(const System<2>& system, const Evaluation<2>& evaluation);
   /// Leaves the change of kinetic energy since the last booking to the contacts: it is neither work nor loss.
-  void book_contacts(const System<2>& system, const Evaluation<2>& evaluation);
+  void book_contacts(const System<2>& system);
   /// Books the work of plates and images while these forces act for `time` [time] at the present velocities.
   void book_boundaries(const System<2>& system, const Evaluation<2>& evaluation, double time);
   /// Takes note of what the lossy forces of an instant do at the velocities half a step before it: they act
@@ -96,7 +89,6 @@ class EnergyBalance {
     k("flows", flows_);
     k("energy_at_opening", energy_at_opening_);
     k("kinetic", kinetic_);
-    k("power", power_);
     k("viscous_power", loss_power_.viscous);
     k("tangential_power", loss_power_.tangential_viscous);
     k("sliding_power", loss_power_.sliding);
@@ -106,7 +98,6 @@ class EnergyBalance {
   EnergyFlows flows_;
   double energy_at_opening_ = 0, kinetic_ = 0;
   LossPower loss_power_;
-  double power_ = 0;  ///< of all forces at the last booking [energy/time]
 };
 
 }  // namespace supple

@@ -7,59 +7,13 @@
 #include <cmath>
 
 #include "supple/core/error.hpp"
+#include "supple/model/present_motion.hpp"
 #include "supple/model/rigid.hpp"
+#include "supple/solve/kicks.hpp"
 
 namespace supple {
 
 namespace {
-
-Vec2 plate_velocity(const Box<2>& box, Mobility m) {
-  Vec2 v{};
-  const double speed = 0.5 * box.strain_rate * box.length[gradient];
-  if (is_plate(m)) v[flow] = m == Mobility::upper_plate ? speed : -speed;
-  return v;
-}
-
-Mobility mobility_of_body(const System<2>& system, int b) {
-  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
-    if (system.state.mobility[i] != Mobility::free) return system.state.mobility[i];
-  return Mobility::free;
-}
-
-/// The one place of constraints: sites that are not free, and rigid bodies with such a site, have the
-/// velocity of what holds them. Discs may turn in any case.
-void hold(System<2>& system) {
-  State<2>& s = system.state;
-  std::uint8_t held = 0;
-  for (const Mobility m : s.mobility) held |= static_cast<std::uint8_t>(m);
-  if (held == static_cast<std::uint8_t>(Mobility::free)) return;
-  for_sites_apart(system, [&](int i) {
-    if (s.mobility[i] != Mobility::free) s.velocity[i] = plate_velocity(system.box, s.mobility[i]);
-  });
-  for (int r = 0; r < system.rigid.size(); ++r) {
-    const Mobility m = mobility_of_body(system, system.rigid.body[r]);
-    if (m == Mobility::free) continue;
-    system.rigid.velocity[r] = plate_velocity(system.box, m);
-    system.rigid.spin[r] = 0;
-    place_sites(system, r);
-  }
-}
-
-void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
-  State<2>& s = system.state;
-  for_sites_apart(system, [&](int i) {
-    if (evaluation.torque[i] != 0) s.spin[i] += time / s.inertia[i] * evaluation.torque[i];  // no vertex
-    s.velocity[i] += time / s.mass[i] * evaluation.force[i];
-  });
-  RigidBodies& rigid = system.rigid;
-  for (int r = 0; r < rigid.size(); ++r) {
-    const RigidForce on_body = force_on_rigid(system, evaluation.force, r);
-    rigid.velocity[r] += time / rigid.mass[r] * on_body.force;
-    rigid.spin[r] += time / rigid.inertia[r] * on_body.torque;
-  }
-  place_sites(system);
-  hold(system);
-}
 
 /// 1 where all bits of the exponent are set.
 std::uint64_t is_not_finite(double x) {
@@ -136,20 +90,23 @@ void Mover::set_plates(Plates plates) {
   forces_.set_repulsive_plates(plates == Plates::repulsive);
 }
 
-void Mover::compute(System<2>& system, Detail detail) {
+void Mover::compute(System<2>& system, ShearRates rates, Detail detail) {
   if (is_current_ && detail <= detail_) return;
+  // Where the rate jumps, half of the impulse of these forces belongs to either side.
+  const double rate = system.lag > 0 ? 0.5 * (system.box.strain_rate + rates.mid) : rates.mid;
+  if (forces_.has_dashpots()) present_motion(system, rate, evaluation_.now);
   forces_.evaluate(system, detail, evaluation_);
   detail_ = detail;
   if (account_) account_->see(forces_.loss_power(system, evaluation_));
 }
 
-const Evaluation<2>& Mover::evaluate(System<2>& system, ShearRates) {
-  compute(system, account_ ? Detail::energies : Detail::forces);
+const Evaluation<2>& Mover::evaluate(System<2>& system, ShearRates rates) {
+  compute(system, rates, account_ ? Detail::energies : Detail::forces);
   return evaluation_;
 }
 
-const Evaluation<2>& Mover::evaluate_energies(System<2>& system, ShearRates) {
-  compute(system, Detail::energies);
+const Evaluation<2>& Mover::evaluate_energies(System<2>& system, ShearRates rates) {
+  compute(system, rates, Detail::energies);
   return evaluation_;
 }
 
@@ -171,25 +128,37 @@ void Mover::bring_to_instant(const System<2>& system, double rate_now, std::vect
   spin = std::move(now.state.spin);
 }
 
+// Forces act for half of the last step, then what changes velocities at this instant is done, then forces act
+// for half of the next step: every part is symmetrical about the instant, hence of second order.
+void Mover::change_velocities(System<2>& system, double rate, double half_before, double half_after,
+                              double damping) {
+  if (!account_ && system.topology.begin.empty())
+    return change_velocities_of_discs(system, evaluation_, rate, half_before, half_after, damping);
+  accelerate(system, evaluation_);
+  push(system, half_before);
+  if (account_) account_->book_contacts(system);
+  set_strain_rate(system, rate);
+  if (account_) account_->book(&EnergyFlows::shear_rate, 1, system);
+  Acceleration<2> drag;
+  if (damping != 1) drag = slow_down(system, damping, half_before + half_after);
+  if (account_) account_->book(&EnergyFlows::background, -1, system);
+  push(system, half_after);
+  if (account_) account_->book_contacts(system);
+  add(drag, system.acceleration);
+}
+
 void Mover::advance(System<2>& system, ShearRates rates, double dt, double damping) {
-  const double half_before = 0.5 * system.lag, half_after = 0.5 * dt;
+  const double half_before = 0.5 * system.lag, half_after = 0.5 * dt, time = half_before + half_after;
   if (account_) {
     account_->book_boundaries(system, evaluation_, half_before);
     account_->book_losses(evaluation_, system.lag);
-    account_->meet(system, evaluation_);
   }
   is_current_ = false;
   forces_.commit(system, evaluation_);
-  set_strain_rate(system, rates.mid);
-  if (account_) account_->book_at_instant(&EnergyFlows::shear_rate, 1, system, evaluation_, half_before);
-  kick(system, evaluation_, half_before + half_after);
-  if (account_) account_->book_contacts(system, evaluation_);
-  if (damping != 1) {
-    damp(system, damping, Drag::bodies);
-    hold(system);
-  }
+  // The first step begins with its second half, which has half of the damping.
+  change_velocities(system, rates.mid, half_before, half_after,
+                    time == dt ? damping : std::pow(damping, time / dt));
   if (account_) {
-    account_->book_at_instant(&EnergyFlows::background, -1, system, evaluation_, -half_after);
     account_->book_boundaries(system, evaluation_, half_after);
     account_->book_losses_after(forces_.loss_power(system, evaluation_), half_after);
   }
@@ -206,6 +175,7 @@ void Mover::advance(System<2>& system, double dt) {
                       "their images have velocities", "shear in steps, or set the strain rate to 0");
   evaluate(system);
   if (system.lag > 0) complete(system);
+  system.acceleration = {};
   const double decay = std::exp(-0.5 * drag_ * dt);
   if (drag_ > 0) damp(system, decay, Drag::sites);
   kick(system, evaluation_, 0.5 * dt);

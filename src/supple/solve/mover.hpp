@@ -17,6 +17,8 @@ namespace supple {
 /// Positions and forces are of the time t, velocities of t - lag/2, lag being the last step (System::lag; 0:
 /// the same instant).
 ///     v(t + dt/2) = v(t - lag/2) + (lag + dt)/2 F(t)/m,    x(t + dt) = x(t) + dt v(t + dt/2)
+/// Dashpots see the velocities of t, from those of t - lag/2 by the acceleration of the step before
+/// (present_motion). A change of the shear rate, and damping, are done at t, between the halves of F.
 /// Discs and bodies cross boundaries by wrap_bodies().
 ///
 /// advance(system, dt): the same step from and to velocities of one instant, which is velocity Verlet [Swope
@@ -65,8 +67,10 @@ class Mover : public Stepper {
   }
 
  private:
-  void compute(System<2>& system, Detail detail);
+  void compute(System<2>& system, ShearRates rates, Detail detail);
   void complete(System<2>& system);
+  void change_velocities(System<2>& system, double rate, double half_before, double half_after,
+                         double damping);
 
   ForceField forces_;
   Evaluation<2> evaluation_;

@@ -190,6 +190,8 @@ double frequency_bound(System<2>& system, ForceField& forces) {
   return std::sqrt(square + further_contacts(system, forces));
 }
 
+double leapfrog_limit(double omega, double z) { return 2 / omega * (std::sqrt(1 + 4 * z * z) - 2 * z); }
+
 double default_step(System<2>& system, ForceField& forces, double fraction) {
   const double omega = frequency_bound(system, forces);
   if (!(omega > 0)) throw input_error("no time step follows from the forces", "nothing acts", "give a step");

@@ -12,6 +12,13 @@ namespace supple {
 /// % of their largest frequency.
 double frequency_bound(System<2>& system, ForceField& forces);
 
+/// Largest stable step [time] of the leapfrog for an oscillator of angular frequency omega [1/time] and
+/// damping ratio z: 2/omega (sqrt(1 + 4 z^2) - 2 z). Its dashpot sees the velocity brought forward to the
+/// instant of the force, (3 v(t - dt/2) - v(t - 3 dt/2))/2 without other forces, and so bears half of the
+/// step that it would bear with the velocity of t - dt/2, 2/omega (sqrt(1 + z^2) - z) [O'Sullivan & Bray
+/// 2004].
+double leapfrog_limit(double omega, double damping_ratio);
+
 /// Time steps as shares of the stability limit: where energy is to be conserved, and for damped motion.
 constexpr double conserving_step = 0.02, damped_step = 0.3;
 

@@ -13,10 +13,13 @@ ContactResponse<2> respond(const Repulsion& repulsion, const DiscLaw& law, const
   const ContactRecord<2>& record = motion.record;
   const Vec2 n = record.normal, t = turned_left(n);
   const double u = motion.history[0];
-  const PairMotion m{record.distance(), record.reach, dot(motion.velocity, n), dot(motion.velocity, t)};
+  const double d = record.distance(), v_t = dot(motion.branch_velocity, t);
+  const double rolling = (v_t - dot(motion.velocity, t)) * record.reach / d;  // with arms in proportion to d
+  const PairMotion m{
+      d, record.reach, dot(motion.velocity, n), dot(motion.velocity, t),
+      way_slid(d, record.reach, dot(motion.velocity, n), v_t, rolling, LeverArm::distance, motion.dt)};
   const bool linked = motion.state == ContactState::permanent;
-  const DiscResponse r = linked ? respond_link(repulsion, law, m, u, motion.dt)
-                                : respond_contact(repulsion, law, m, u, motion.dt);
+  const DiscResponse r = linked ? respond_link(repulsion, law, m, u) : respond_contact(repulsion, law, m, u);
   new_history[0] = r.tangential.elongation;
   // The tangential force of the law is on the first disc, which has negative weight.
   return {

@@ -27,15 +27,17 @@ struct TangentialResponse {
 };
 
 /// F_t = k_t u + eta_t v_t, with u the integral of v_t dt: the bond of a permanent link, which has no limit.
-inline TangentialResponse bonded(double u, double v_t, double dt, double k_t, double eta_t) {
-  const double elongation = u + v_t * dt;
+/// u is the elongation of the step before, `slid` what it has gained since [length]; v_t is of the instant of
+/// the force.
+inline TangentialResponse bonded(double u, double slid, double v_t, double k_t, double eta_t) {
+  const double elongation = u + slid;
   return {k_t * elongation + eta_t * v_t, elongation, ContactState::permanent};
 }
 
 /// The same where |F_t| <= limit = mu F_el (stick); else the limit, with the sign of F_t (slip).
-inline TangentialResponse coulomb(double u, double v_t, double dt, double k_t, double eta_t, double limit,
+inline TangentialResponse coulomb(double u, double slid, double v_t, double k_t, double eta_t, double limit,
                                   const SlipRule& slip) {
-  const TangentialResponse trial = bonded(u, v_t, dt, k_t, eta_t);
+  const TangentialResponse trial = bonded(u, slid, v_t, k_t, eta_t);
   const bool sticks = std::abs(trial.force) <= limit;
   const double force = std::copysign(limit, trial.force);
   const double held = slip.keeps * u + slip.follows * (force - eta_t * v_t);
@@ -48,15 +50,16 @@ struct TangentialBooks {
   double energy, viscous_power, sliding_power;
 };
 
-/// The books of the response `r` to v_t over dt, from the elongation u before. In slip the dashpot has a part
-/// in the force with Slip::clamp only; otherwise all loss is by sliding.
-inline TangentialBooks book(const TangentialResponse& r, double u, double v_t, double dt, double k_t,
-                            double eta_t, Slip slip) {
-  const bool slides = r.state == ContactState::slip;
-  const double viscous = slides && slip != Slip::clamp ? 0 : eta_t * v_t * v_t;
-  const double sliding =
-      slides && dt > 0 ? r.force * v_t - viscous - 0.5 * k_t * (r.elongation * r.elongation - u * u) / dt : 0;
-  return {0.5 * k_t * r.elongation * r.elongation, viscous, sliding};
+/// The books of the response `r` after a step of dt in which the sides slid by `slid`, from the elongation u
+/// before. The spring gives up its mean force over the step times the way that it did not follow; the rest of
+/// the force acts at the speed v_t. In slip the dashpot has a part in the force with Slip::clamp only;
+/// otherwise all loss is by sliding.
+inline TangentialBooks book(const TangentialResponse& r, double u, double slid, double v_t, double dt,
+                            double k_t, Slip slip) {
+  const bool slides = r.state == ContactState::slip, freely = slides && slip != Slip::clamp;
+  const double dashpot = (r.force - k_t * r.elongation) * v_t, to = r.elongation;
+  const double given_up = slides && dt > 0 ? 0.5 * k_t * (u + to) * (slid - (to - u)) / dt : 0;
+  return {0.5 * k_t * to * to, freely ? 0 : dashpot, given_up + (freely ? dashpot : 0)};
 }
 
 }  // namespace supple

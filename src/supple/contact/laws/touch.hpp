@@ -40,14 +40,15 @@ struct TouchResponse {
 };
 
 /// Friction and viscosity of a contact. `elastic` is its elastic force, positive for repulsion; `scale` the
-/// factor on its elastic energy; u the elongation so far [length]; dt the time over which the motion has
-/// acted [time]. A contact that pulls has no friction, and its dashpot pulls only with ViscousPull::allowed.
+/// factor on its elastic energy; `slid` the tangential way of the last step, u the elongation before it
+/// [length]. A contact that pulls has no friction, and its dashpot pulls only with ViscousPull::allowed.
 inline TouchResponse respond_touch(const TouchLaw& law, double scale, double elastic, const TouchMotion& m,
-                                   double u, double dt) {
+                                   double slid, double u) {
   const double repulsion = std::max(elastic, 0.0);
   const double free = -scale * law.eta * m.v_n, k_t = scale * law.k_t;
   const double viscous = law.pull == ViscousPull::allowed ? free : std::max(free, -repulsion);
-  return {viscous, coulomb(u, m.v_t, dt, k_t, scale * law.eta_t, law.friction * repulsion, {law.slip, k_t})};
+  return {viscous,
+          coulomb(u, slid, m.v_t, k_t, scale * law.eta_t, law.friction * repulsion, {law.slip, k_t})};
 }
 
 /// A permanent link: a central spring in both directions, a central dashpot, and a tangential spring and

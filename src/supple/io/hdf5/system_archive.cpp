@@ -13,6 +13,10 @@ void write_system(h5::Group& group, const System<Dim>& system, const Units& unit
   write_all(box, system.box, units);
   write_all(sites, system.state, units);
   if (!system.floor_contact.empty()) write(sites, meaning_of_floor, system.floor_contact, units);
+  if (system.knows_acceleration()) {
+    h5::Group acceleration = group.create_group("acceleration");
+    write_all(acceleration, system.acceleration, units);
+  }
   write_topology(group.create_group("topology"), system.topology, units);
   if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape, units);
   if (!system.terms.empty()) write_body_terms(group.create_group("terms"), system.terms);
@@ -40,6 +44,10 @@ System<Dim> read_system(const h5::Group& group) {
   system.topology = read_topology<Dim>(group.open_group("topology"), sites);
   if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
   if (group.has("rigid")) system.rigid = read_rigid_bodies(group.open_group("rigid"), system.topology);
+  if (group.has("acceleration")) {
+    read_all(group.open_group("acceleration"), system.acceleration);
+    expect_sound(system.knows_acceleration(), group, "accelerations are not those of its sites");
+  }
   system.pairs = read_pairs(group.open_group("pairs"), sites);
   const int bodies = system.topology.body_count(sites);
   if (group.has("terms")) system.terms = read_body_terms(group.open_group("terms"), bodies);

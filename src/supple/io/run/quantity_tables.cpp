@@ -57,6 +57,8 @@ std::string describe_quantities() {
   t.rows_of<Shape>();
   t.begin("/final_state/rigid", "Rigid particles.");
   t.rows_of<RigidBodies>();
+  t.begin("/final_state/acceleration", "What brings velocities to the instant of the next forces.");
+  t.rows_of<Acceleration<2>>();
   t.begin("/final_state/pairs", "Contacts and links of discs.");
   t.rows_of<PairTable>();
   t.row(meaning_of_history);

@@ -29,6 +29,15 @@ Mobility mobility_at(double y, double radius, double height) {
   return y > 0.5 * height ? Mobility::upper_plate : Mobility::lower_plate;
 }
 
+/// Where one sphere has accelerations, all have.
+void read_accelerations(const Node& spheres, Acceleration<2>& out) {
+  if (spheres.size() == 0 || !spheres[0].has("ax")) return;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    out.site.push_back({spheres[i].at("ax").number(), spheres[i].at("ay").number()});
+    out.spin.push_back(spheres[i].at("alpha").number());
+  }
+}
+
 void read_spheres(const Node& spheres, InitialState& out) {
   State<2>& state = out.system.state;
   const auto n = static_cast<int>(spheres.size());
@@ -53,6 +62,7 @@ void read_spheres(const Node& spheres, InitialState& out) {
     forces.torque[i] = s.at("torque").number();
   }
   if (any_force) out.evaluation = std::move(forces);
+  read_accelerations(spheres, out.system.acceleration);
 }
 
 ContactState contact_state(const Node& type) {
@@ -291,6 +301,11 @@ void write_state_json(const InitialState& state, const std::string& path, Existi
   Json spheres = Json::array();
   for (std::size_t i = 0; i < system.state.radius.size(); ++i) {
     spheres.push_back(sphere_json(system.state, i));
+    if (system.knows_acceleration()) {
+      spheres.back()["ax"] = system.acceleration.site[i][0];
+      spheres.back()["ay"] = system.acceleration.site[i][1];
+      spheres.back()["alpha"] = system.acceleration.spin[i];
+    }
     if (state.evaluation) add_forces(spheres.back(), *state.evaluation, i, state.units);
   }
   Json root{{"params", params},

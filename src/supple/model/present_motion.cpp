@@ -1,0 +1,80 @@
+#include "supple/model/present_motion.hpp"
+
+#include <algorithm>
+
+#include "supple/model/body_flow.hpp"
+#include "supple/model/rigid.hpp"
+
+namespace supple {
+
+namespace {
+
+/// v, a rigid motion about `centre`, for the sites of body b.
+void turn_body(const System<2>& system, int b, const Vec2& velocity, double spin, const Vec2& centre,
+               std::vector<Vec2>& out) {
+  for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
+    out[i] += velocity + cross(spin, system.state.position[i] - centre);
+}
+
+void place_rigid(const System<2>& system, double half, PresentMotion<2>& out) {
+  const RigidBodies& rigid = system.rigid;
+  const Acceleration<2>& a = system.acceleration;
+  const bool known = system.knows_acceleration();
+  for (int r = 0; r < rigid.size(); ++r) {
+    const int b = rigid.body[r];
+    std::fill(out.velocity.begin() + system.topology.body_begin(b),
+              out.velocity.begin() + system.topology.body_end(b), Vec2{});
+    turn_body(system, b, rigid.velocity[r] + (known ? half * a.rigid[r] : Vec2{}),
+              rigid.spin[r] + (known ? half * a.rigid_spin[r] : 0), rigid.centre[r], out.velocity);
+  }
+}
+
+/// What set_strain_rate does to the velocities of bodies.
+void change_flow(const System<2>& system, double change, PresentMotion<2>& out) {
+  const double middle = 0.5 * system.box.length[gradient], turning = -0.5 * change;
+  for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
+    const Vec2 centre = centre_of_mass(system, b);
+    Vec2 velocity{};
+    velocity[flow] = (centre[gradient] - middle) * change;
+    turn_body(system, b, velocity, turning, centre, out.velocity);
+    if (system.topology.body_size(b) == 1) out.spin[system.topology.body_begin(b)] += turning;
+  }
+}
+
+}  // namespace
+
+Vec2 plate_velocity(const Box<2>& box, Mobility mobility, double rate) {
+  Vec2 v{};
+  const double speed = 0.5 * rate * box.length[gradient];
+  if (is_plate(mobility)) v[flow] = mobility == Mobility::upper_plate ? speed : -speed;
+  return v;
+}
+
+void present_motion(const System<2>& system, double rate, PresentMotion<2>& out) {
+  const State<2>& s = system.state;
+  const double change = rate - system.box.strain_rate, half = 0.5 * system.lag;
+  out.velocity.clear();
+  out.strain_rate = rate;
+  if (half == 0 && change == 0) return;
+  out.velocity = s.velocity;
+  out.spin = s.spin;
+  const bool known = system.knows_acceleration(), discs = system.topology.begin.empty();
+  const double middle = 0.5 * system.box.length[gradient], turning = -0.5 * change;
+  for (int i = 0; i < s.size(); ++i) {
+    if (known) {
+      out.velocity[i] += half * system.acceleration.site[i];
+      out.spin[i] += half * system.acceleration.spin[i];
+    }
+    if (!discs) continue;
+    out.velocity[i][flow] += (s.position[i][gradient] - middle) * change;
+    out.spin[i] += turning;
+  }
+  if (!discs) {
+    place_rigid(system, half, out);
+    if (change != 0) change_flow(system, change, out);
+  }
+  for (int i = 0; i < s.size(); ++i)
+    if (s.mobility[i] != Mobility::free) out.velocity[i] = plate_velocity(system.box, s.mobility[i], rate);
+}
+
+}  // namespace supple
