@@ -110,8 +110,9 @@ std::vector<SiteContact> with_links(std::vector<SiteContact> contacts, const Sys
 
 }  // namespace
 
-PackingReport report_packing(Packing& packing) {
+PackingReport report_packing(Packing& packing, const PresentMotion<2>& now) {
   PackingReport r;
+  r.evaluation.now = now;
   System<2>& s = packing.system;
   packing.field->evaluate(s, Detail::energies, r.evaluation);
   BodyContacts& contacts = *packing.field->bodies();
@@ -193,8 +194,8 @@ Environment environment_of(const Packing& packing) {
 }
 
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
-                    Surroundings surroundings) {
-  const PackingReport r = report_packing(packing);
+                    Surroundings surroundings, const PresentMotion<2>& now) {
+  const PackingReport r = report_packing(packing, now);
   recorder.frame(packing_frame(packing, r, surroundings));
   const PackingInstant instant{packing, r, progress};
   const bool moves = instant.moves(), open = surroundings == Surroundings::open;

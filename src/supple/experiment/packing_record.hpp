@@ -41,7 +41,8 @@ struct PackingReport {
   PackingFraction fraction;
   Soundness soundness;
 };
-PackingReport report_packing(Packing& packing);
+/// `now`: velocities that dashpots see, where those of the packing lag behind (present_motion).
+PackingReport report_packing(Packing& packing, const PresentMotion<2>& now = {});
 
 /// The meaning of the column "unsound" of tables.
 inline constexpr const char* unsound_meaning =
@@ -77,7 +78,7 @@ Frame packing_frame(const Packing& packing, const PackingReport& report,
 /// minimisations that did not converge. If `progress` has no minimisations the particles move: then no work
 /// is recorded, and stresses have their kinetic part.
 void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
-                    Surroundings surroundings = Surroundings::closed);
+                    Surroundings surroundings = Surroundings::closed, const PresentMotion<2>& now = {});
 
 /// Walls and gravity of a packing as they are now.
 Environment environment_of(const Packing& packing);

@@ -12,8 +12,8 @@ namespace supple {
 namespace {
 
 /// Velocities of the instant of the positions; the packing's own report of everything else.
-Frame sheared_frame(Packing& packing, const Mover& dynamics, double rate_now) {
-  Frame frame = packing_frame(packing, report_packing(packing));
+Frame sheared_frame(Packing& packing, const Mover& dynamics, const PresentMotion<2>& now, double rate_now) {
+  Frame frame = packing_frame(packing, report_packing(packing, now));
   dynamics.bring_to_instant(packing.system, rate_now, frame.velocity, frame.spin);
   frame.strain_rate = rate_now;
   return frame;
@@ -85,7 +85,8 @@ void ShearedBodies::move(const Course& course, const Keep& more) {
     const auto see = [&](const CourseRow& now) {
       if (now.keeps_frame || now.row % look_interval(course.steps) == 0) good.look();
       append(now.evaluation, now.rates.now);
-      if (now.keeps_frame) recorder_.frame(sheared_frame(packing_, dynamics_, now.rates.now));
+      if (now.keeps_frame)
+        recorder_.frame(sheared_frame(packing_, dynamics_, now.evaluation.now, now.rates.now));
     };
     supple::move(course, packing_.system, dynamics_, recorder_, row_, keep, see);
   } catch (const Error& e) {
@@ -105,7 +106,7 @@ void ShearedBodies::finish() {
   recorder_.value("results",
                   {"energy_residual", "", "what the balance of energy lacks, over all that was lost"},
                   energies_.relative_residual(packing_.system, last));
-  record_packing(packing_, {}, recorder_);
+  record_packing(packing_, {}, recorder_, Surroundings::closed, last.now);
 }
 
 }  // namespace supple
