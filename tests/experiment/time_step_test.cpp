@@ -60,7 +60,7 @@ TEST(TimeStep, HalvingItDoesNotMoveTheModuliOfABulkScaffold) {
 /// What the default step is chosen by (docs/decisions/0018).
 TEST(TimeStep, ModuliAtTheDefaultStepAreWithinAThousandthOfThoseOfAVanishingOne) {
   for (const int cut_lines : {0, 5}) {
-    Prepared p = prepared(true, cut_lines, 2);
+    Prepared p = prepared(true, cut_lines, 1);
     p.c.shear.periods = 3;
     for (const double amplitude : {0.02, 0.2}) {
       p.c.shear.amplitude = amplitude;
