@@ -73,6 +73,9 @@ double tensile_stiffening(const Tensile& tension, double amplitude) {
   return std::max(1.0, (tension.force(d - h, 1, 1) - tension.force(d + h, 1, 1)) / (2 * h));
 }
 
+/// Where strains exceed 1, discs are pushed through each other, deeper than the limit allows for.
+double share_at(double amplitude) { return step_share / std::pow(std::max(1.0, amplitude), 2); }
+
 }  // namespace
 
 double stable_time_step(const DiscLaw& law, const Repulsion& repulsion, double smallest_mass,
@@ -120,7 +123,7 @@ MicrogelConstants derive_constants(const Case& c, const InitialState* initial) {
 
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
   k.stable_step = stable_time_step(k.law, repulsion, k.smallest_mass, c.shear.amplitude);
-  k.time_step = step_share * k.stable_step * c.time.step_factor;
+  k.time_step = share_at(c.shear.amplitude) * k.stable_step * c.time.step_factor;
   k.relaxation_step = relaxation_share * stable_time_step(k.law, repulsion, k.smallest_mass, 0);
   if (initial && experiment_of(c).keeps_step)
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end())
