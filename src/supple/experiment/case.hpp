@@ -127,7 +127,7 @@ struct Minimisation {
 struct Jamming {
   double packing_fraction = 1e-3, step = 1e-3;
   double pressure = 1e-7, window = 0.01;
-  std::string search = "root", pressure_kind = "full";
+  std::string search = "pressure", pressure_kind = "full";
 };
 
 struct Compression {

@@ -219,11 +219,11 @@ const Fields<Jamming>& fields() {
       {"search",
        &J::search,
        "",
-       "the chapter's halving of steps, a root search that ends in the same window, or minima of the "
-       "enthalpy, faster "
-       "where contacts are hard (a packing that is given goes on by the root search)",
+       "minima of the enthalpy, at first at a high pressure and with soft contacts (a packing that is given "
+       "goes on by the root search); the chapter's halving of steps; or a root search along the packing "
+       "fraction that ends in the same window",
        any_value,
-       {"root", "chapter", "pressure"}},
+       {"pressure", "root", "chapter"}},
       {"pressure_kind",
        &J::pressure_kind,
        "",

@@ -14,10 +14,10 @@ namespace supple {
 /// * root: the same steps until the pressure is exceeded, then a root search between the last state below and
 ///   the first above. Only states within a factor of two of the window are minimised to the full tolerance:
 ///   of the others it is enough to know the side on which they are.
-/// * pressure: minima of the enthalpy at the wanted pressure, with contacts that are soft at first and as the
-///   case has them at the end. Contacts much harder than the shapes leave a narrow, crooked way down to a
-///   minimum; soft ones lead near it. If this leads nowhere, a root search follows from where particles first
-///   pressed on each other.
+/// * pressure: minima of the enthalpy, at a high pressure and with soft contacts at first, then at pressures
+///   that fall to the wanted one, then with contacts that harden to those of the case. Contacts that yield
+///   little leave a narrow, crooked way down to a minimum; the more they yield, the longer its steps. If this
+///   leads nowhere, a root search follows from where particles first pressed on each other.
 enum class JamSearch { chapter, root, pressure };
 
 /// The search, and when it is done.
@@ -103,21 +103,19 @@ struct LineSearchState {
 struct PressState {
   enum class Part { approach, soften, harden, failed };
   Part part = Part::approach;
-  std::optional<System<2>> good;   ///< in the approach: the last sound state; then where it led
-  double step = 0;                 ///< of the approach, of ln phi
-  int stage = 0;                   ///< of softened contacts
-  std::optional<double> softness;  ///< of the contacts in this stage
-  int round = 0, losses = 0;       ///< of hardened contacts
-  int pressed = 0;                 ///< minima of the enthalpy in this stage or round
-  bool is_pressed = false;         ///< whether the last of them was found
-  double ratio = 1;                ///< of the pressure of all forces to the one wanted
+  std::optional<System<2>> good;  ///< in the approach: the last sound state; then where it led
+  double step = 0;                ///< of the approach, of ln phi
+  int stage = 0;                  ///< of softened contacts
+  int round = 0, losses = 0;      ///< of hardened contacts
+  int pressed = 0;                ///< minima of the enthalpy in this stage or round
+  bool is_pressed = false;        ///< whether the last of them was found
+  double ratio = 1;               ///< of the pressure of all forces to the one wanted
 
   void keep(Keeper& k) {
     k("part", part);
     k("good", good);
     k("step", step);
     k("stage", stage);
-    k("softness", softness);
     k("round", round);
     k("losses", losses);
     k("pressed", pressed);

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <vector>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/jam.hpp"
@@ -29,9 +29,21 @@ class Softened {
 
 /// Stiffness of contacts and pressure on the way, as shares of what they are at the end.
 struct Stage {
-  double stiffness, pressure;
+  double stiffness = 1, pressure = 1;
 };
-constexpr Stage stages[] = {{1e-3, 5}, {1e-2, 1}};
+
+/// Appends stages after the last one up to `end`, whose contacts yield ten times less from one to the next.
+/// At such steps the contacts of one stage are nearly those of the next; at larger ones too many open at
+/// once.
+void append_tenths(std::vector<Stage>& stages, Stage end) {
+  const Stage start = stages.back();
+  const double stiffer = end.stiffness / start.stiffness, lower = end.pressure / start.pressure;
+  const int steps = static_cast<int>(std::ceil(std::log10(stiffer / lower) - 0.1));
+  for (int k = 1; k < steps; ++k)
+    stages.push_back({start.stiffness * std::pow(stiffer, 1.0 * k / steps),
+                      start.pressure * std::pow(lower, 1.0 * k / steps)});
+  if (steps > 0) stages.push_back(end);
+}
 
 class Press {
  public:
@@ -73,31 +85,49 @@ class Press {
 
  private:
   using Part = PressState::Part;
-  static constexpr int most_rounds = 20;
+  static constexpr int most_rounds = 20, most_pressed = 100;
   static constexpr double longest_stride = 0.02;
-  /// How far a contact may yield under the force that one particle bears [contact distance]. Vertices pass
-  /// each other at ten times as much.
-  static constexpr double most_yield = 0.01;
+  /// How far a contact yields at first under the force that one particle bears, at most: as a share of the
+  /// contact distance, as vertices pass each other at five times as much; and of a particle's diameter, as
+  /// particles that have been compressed far beyond jamming jam at a higher packing fraction (discs, by
+  /// 0.0065 after 0.02).
+  static constexpr double first_yield_of_contact = 0.02, first_yield_of_particle = 0.003;
+  /// The first pressure [pressure_unit]: it deforms shapes by a thousandth or so.
+  static constexpr double first_pressure = 1e-3;
 
-  /// Minimises in stages with softened contacts, where contacts are harder than the shapes.
+  /// Minimises in stages, from high pressure and soft contacts to those of the end. A packing that is not yet
+  /// stable slides on until it is, in the faster steps the more contacts yield; so the stages at the wanted
+  /// pressure leave little of that to the contacts of the end.
   void soften() {
-    const auto& shapes = packing_.system.shape.stiffness;
-    const auto bears = [](const ShapeStiffness& k) { return k.volume > 0 || k.facet > 0; };
-    if (std::none_of(shapes.begin(), shapes.end(), bears)) return;
-    for (; s_.stage < static_cast<int>(std::size(stages)); ++s_.stage, s_.softness.reset(), s_.pressed = 0) {
+    const std::vector<Stage> stages = stages_to_the_end();
+    for (; s_.stage < static_cast<int>(stages.size()); ++s_.stage, s_.pressed = 0) {
       const Stage& stage = stages[s_.stage];
-      if (!s_.softness) s_.softness = std::max(stage.stiffness, stiffness_needed(stage.pressure));
-      if (*s_.softness >= 1) continue;
-      const Softened soft(*packing_.field->bodies(), *s_.softness);
-      press(stage.pressure, coarse_tolerance());
+      const Softened soft(*packing_.field->bodies(), stage.stiffness);
+      press(stage.pressure, coarse_tolerance(stage.pressure > 1 ? spec_.coarse : 0.01 * spec_.coarse));
     }
+  }
+
+  /// The stages before the last, in which contacts are as the case has them at the wanted pressure. None
+  /// where that makes contacts yield as much as at first.
+  std::vector<Stage> stages_to_the_end() const {
+    Stage first{1, first_pressure / spec_.pressure};
+    const double most =
+        std::min(first_yield_of_contact * mean_diameter(), first_yield_of_particle * mean_body_diameter());
+    if (yield(first) > most) first.pressure *= most / yield(first);
+    else first.stiffness = yield(first) / most;
+    if (first.pressure <= 1) return {};
+    std::vector<Stage> stages{first};
+    append_tenths(stages, {first.stiffness, 1});
+    append_tenths(stages, {1, 1});
+    stages.pop_back();
+    return stages;
   }
 
   /// Minimises with contacts as they are. True once the pressure is in the window; false if it is lost
   /// repeatedly.
   bool harden() {
     for (; s_.round < most_rounds && s_.losses < 2; ++s_.round, s_.is_pressed = false, s_.pressed = 0) {
-      if (!s_.is_pressed) press(1, s_.round < 3 ? coarse_tolerance() : packing_.tolerance);
+      if (!s_.is_pressed) press(1, packing_.tolerance);
       s_.is_pressed = true;
       begin();
       const MinimiseReport report = relax(packing_);
@@ -113,23 +143,27 @@ class Press {
     return false;
   }
 
-  /// Share of their stiffness that contacts need at `times` the wanted pressure.
-  double stiffness_needed(double times) const {
-    const System<2>& s = packing_.system;
-    const int bodies = s.topology.body_count(s.state.size());
-    double particle = 0;
-    for (int b = 0; b < bodies; ++b) particle += 2 * outer_radius(s, b) / bodies;
-    const double sigma = mean_diameter();
-    const double force = times * spec_.pressure * packing_.pressure_unit * particle;
-    const double softest =
-        packing_.field->bodies()->laws().least([&](const BodyLaw& law) { return law.spring(sigma); });
-    return force / (most_yield * sigma * softest);
+  /// How far contacts yield under the force that one particle bears in this stage [length].
+  double yield(const Stage& stage) const {
+    const double force = stage.pressure * spec_.pressure * packing_.pressure_unit * mean_body_diameter();
+    const double softest = packing_.field->bodies()->laws().least(
+        [&](const BodyLaw& law) { return law.spring(mean_diameter()); });
+    return force / (stage.stiffness * softest);
   }
 
-  ForceTolerance coarse_tolerance() const {
+  /// `share` of a typical contact force at the wanted pressure, or the tolerance of the end if that is more.
+  ForceTolerance coarse_tolerance(double share) const {
     const ForceTolerance& exact = packing_.tolerance;
     const double force = spec_.pressure * packing_.pressure_unit * mean_diameter();
-    return {std::max(exact.relative, spec_.coarse), std::max(exact.least, spec_.coarse * force)};
+    return {std::max(exact.relative, share), std::max(exact.least, share * force)};
+  }
+
+  double mean_body_diameter() const {
+    const System<2>& s = packing_.system;
+    const int bodies = s.topology.body_count(s.state.size());
+    double sum = 0;
+    for (int b = 0; b < bodies; ++b) sum += 2 * outer_radius(s, b);
+    return sum / bodies;
   }
 
   /// Mean diameter of the vertices.
@@ -148,7 +182,7 @@ class Press {
     }
     for (;;) {
       begin();
-      packing_.minimise.max_evaluations = std::min(most, 500L);
+      packing_.minimise.max_evaluations = std::min(most, 100L);
       const MinimiseReport report = relax(packing_);
       packing_.minimise.max_evaluations = most;
       const Soundness soundness = look_at(packing_);
@@ -160,7 +194,7 @@ class Press {
       }
       s_.good = packing_.system;
       count(report, report.converged);
-      if (progress_.state.pressure > (report.converged ? 0.1 : stages[0].pressure) * spec_.pressure) return;
+      if (progress_.state.pressure > (report.converged ? 0.1 : 5.0) * spec_.pressure) return;
       const double factor = std::exp(-0.5 * s_.step);
       scale_cell(packing_.system, {factor, factor});
       s_.step = std::min(1.3 * s_.step, std::max(spec_.step, longest_stride));
@@ -171,7 +205,7 @@ class Press {
 
   /// Goes to a minimum of the enthalpy at `times` the wanted pressure.
   void press(double times, const ForceTolerance& tolerance) {
-    while (s_.pressed < most_rounds) {
+    while (s_.pressed < most_pressed) {
       begin();
       const int k = s_.pressed;
       const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = s_.ratio,

@@ -77,7 +77,7 @@ double CellObjective::evaluate(std::span<const double> x, std::span<double> slop
   std::size_t next = at_.size();
   if (freedom_.size) slope[next++] = (2 * pressure_ * area - virial[0][0] - virial[1][1]) / start_.length[0];
   if (freedom_.shear) slope[next] = (-virial[flow][gradient] - shear_stress_ * start) / start_.length[0];
-  return energy + pressure_ * area - shear_stress_ * start * shear_;
+  return energy + pressure_ * (area - start) - shear_stress_ * start * shear_;
 }
 
 double CellObjective::residual(std::span<const double> x, std::span<const double> slope) {

@@ -9,12 +9,13 @@ struct CellFreedom {
   bool size = true, shear = false;
 };
 
-/// The enthalpy H = U + P A - tau A0 gamma of a periodic cell of area A, A0 at construction, under an outer
-/// pressure P and shear stress tau; gamma is the shear strain since construction. The numbers that it is a
-/// function of: those of BodyDegrees in the cell as it was at construction, where the strain of the cell
-/// moves bodies with their centres and does not deform them; then ln(size) and gamma, each times the first
-/// length of the cell at construction, so that they are lengths too. At a minimum the net forces vanish, the
-/// virial pressure is P, and the shear stress -Sigma_xy is tau A0/A.
+/// The enthalpy H = U + P (A - A0) - tau A0 gamma of a periodic cell of area A, A0 at construction, under an
+/// outer pressure P and shear stress tau; gamma is the shear strain since construction. (P A itself can be
+/// 1e8 times U, and minimisers could not see U change.) The numbers that it is a function of: those of
+/// BodyDegrees in the cell as it was at construction, where the strain of the cell moves bodies with their
+/// centres and does not deform them; then ln(size) and gamma, each times the first length of the cell at
+/// construction, so that they are lengths too. At a minimum the net forces vanish, the virial pressure is P,
+/// and the shear stress -Sigma_xy is tau A0/A.
 class CellObjective final : public Objective {
  public:
   CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,

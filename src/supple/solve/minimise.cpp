@@ -13,7 +13,7 @@ namespace supple {
 namespace {
 
 constexpr long fire_round = 5000, newton_round = 100;  // iterations between two looks at the progress
-constexpr long fire_between = 300;                     // when Newton is stuck
+constexpr long fire_between = 100;                     // when Newton is stuck
 constexpr int idle_rounds = 3;                         // without progress, before it is given up
 
 /// Whether a minimisation still gets anywhere.
