@@ -60,17 +60,18 @@ class Press {
     if (s_.part == Part::failed) return false;
     if (s_.part == Part::approach) {
       approach();
-      s_.good = packing_.system;
+      // One state less to keep where the last one in equilibrium is as good to go back to.
+      if (packing_.relaxed) s_.good.reset();
+      else s_.good = packing_.system;
       s_.part = Part::soften;
     }
     const auto go_back = [&] {
-      packing_.system = *s_.good;
+      packing_.system = s_.good ? *s_.good : *packing_.relaxed;
       packing_.field->invalidate();
     };
     try {
       if (s_.part == Part::soften) {
-        soften();
-        s_.part = must_stop(packing_, look_at(packing_)) ? Part::failed : Part::harden;
+        s_.part = soften() ? Part::harden : Part::failed;
       }
       if (s_.part == Part::harden && harden()) return true;
     } catch (const Error&) {
@@ -97,19 +98,24 @@ class Press {
 
   /// Minimises in stages, from high pressure and soft contacts to those of the end. A packing that is not yet
   /// stable slides on until it is, in the faster steps the more contacts yield; so the stages at the wanted
-  /// pressure leave little of that to the contacts of the end.
-  void soften() {
+  /// pressure leave little of that to the contacts of the end. False where particles get into each other.
+  bool soften() {
     const std::vector<Stage> stages = stages_to_the_end();
     for (; s_.stage < static_cast<int>(stages.size()); ++s_.stage, s_.pressed = 0) {
       const Stage& stage = stages[s_.stage];
       const Softened soft(*packing_.field->bodies(), stage.stiffness);
-      press(stage.pressure, coarse_tolerance(stage.pressure > 1 ? spec_.coarse : 0.01 * spec_.coarse));
+      const double share = stage.pressure > 1 ? spec_.coarse : 0.01 * spec_.coarse;
+      if (!press(stage.pressure, coarse_tolerance(share))) return false;
     }
+    return true;
   }
 
   /// The stages before the last, in which contacts are as the case has them at the wanted pressure. None
   /// where that makes contacts yield as much as at first.
   std::vector<Stage> stages_to_the_end() const {
+    const ContactLaws& laws = packing_.field->bodies()->laws();
+    // Particles that attract would stay where a higher pressure, or a weaker attraction, has let them go.
+    if (!laws.all([](const BodyLaw& law) { return !law.attracts(); })) return {};
     Stage first{1, first_pressure / spec_.pressure};
     const double most =
         std::min(first_yield_of_contact * mean_diameter(), first_yield_of_particle * mean_body_diameter());
@@ -127,7 +133,7 @@ class Press {
   /// repeatedly.
   bool harden() {
     for (; s_.round < most_rounds && s_.losses < 2; ++s_.round, s_.is_pressed = false, s_.pressed = 0) {
-      if (!s_.is_pressed) press(1, packing_.tolerance);
+      if (!s_.is_pressed && !press(1, packing_.tolerance)) return false;
       s_.is_pressed = true;
       begin();
       const MinimiseReport report = relax(packing_);
@@ -203,8 +209,9 @@ class Press {
     }
   }
 
-  /// Goes to a minimum of the enthalpy at `times` the wanted pressure.
-  void press(double times, const ForceTolerance& tolerance) {
+  /// Goes to a minimum of the enthalpy at `times` the wanted pressure. False at a state at which no run may
+  /// be.
+  bool press(double times, const ForceTolerance& tolerance) {
     while (s_.pressed < most_pressed) {
       begin();
       const int k = s_.pressed;
@@ -216,21 +223,24 @@ class Press {
       std::vector<double> x = objective.coordinates();
       // The numbers of an objective are those of the cell at its construction, and its pressure is that of
       // all forces: a new one is made where either has changed.
+      bool lost = false;
       const auto watch = [&](const MinimiseReport&) {
         if (k < 2) learn_ratio(ratio * wanted);
-        return std::abs(s_.ratio - ratio) < 0.3 * ratio &&
+        return !(lost = must_stop(packing_, look_at(packing_))) && std::abs(s_.ratio - ratio) < 0.3 * ratio &&
                std::abs(packing_.system.box.length[0] / length - 1) < 0.05;
       };
       const MinimiseReport report = minimise(objective, x, packing_.minimise, watch);
       require_going_on(packing_, report);
       if (report.ending == Ending::exhausted)
         require_converged(packing_, report, "the cell at constant pressure");
+      if (lost) return false;
       require_room(packing_);
       learn_ratio(ratio * wanted);
       ++s_.pressed;
       count(report, false);
       if (report.ending != Ending::stopped) break;
     }
+    return !must_stop(packing_, look_at(packing_));
   }
 
   /// The minimiser prescribes the pressure of all forces. Where the pressure of contacts is wanted, the ratio

@@ -96,7 +96,7 @@ bool RunFile::has_table(const std::string& table) const {
   return std::find(all.begin(), all.end(), table) != all.end();
 }
 
-const std::vector<Column>& RunFile::columns(const std::string& table) const {
+const std::vector<Column>& RunFile::columns(const std::string& table) const& {
   const auto known = columns_.find(table);
   return known != columns_.end() ? known->second : columns_[table] = read_columns_of(table);
 }
@@ -214,7 +214,7 @@ std::vector<std::string> RunFile::value_groups() const {
   return out;
 }
 
-const std::vector<RunValue>& RunFile::values(const std::string& group) const {
+const std::vector<RunValue>& RunFile::values(const std::string& group) const& {
   const auto known = values_.find(group);
   return known != values_.end() ? known->second : values_[group] = read_values_of(group);
 }

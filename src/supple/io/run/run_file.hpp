@@ -36,7 +36,8 @@ class RunFile {
 
   std::vector<std::string> tables() const;
   bool has_table(const std::string& table) const;
-  const std::vector<Column>& columns(const std::string& table) const;
+  const std::vector<Column>& columns(const std::string& table) const&;
+  std::vector<Column> columns(const std::string& table) && { return read_columns_of(table); }
   std::int64_t rows(const std::string& table) const;
   /// The values of a column. Throws a file error that lists the columns where there is none of that name.
   std::vector<double> column(const std::string& table, const std::string& name) const;
@@ -53,7 +54,8 @@ class RunFile {
   /// Names of the groups of numbers: constants, results, ...
   std::vector<std::string> value_groups() const;
   /// The numbers of a group ("constants", "results", "material"), in the order they were written.
-  const std::vector<RunValue>& values(const std::string& group) const;
+  const std::vector<RunValue>& values(const std::string& group) const&;
+  std::vector<RunValue> values(const std::string& group) && { return read_values_of(group); }
   std::optional<double> find_value(const std::string& group, const std::string& name) const;
   /// The number of this name. Throws a file error where there is none.
   double value(const std::string& group, const std::string& name) const;
