@@ -6,7 +6,6 @@
 #include <cairo.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +15,6 @@
 #include "supple/core/new_file.hpp"
 #include "supple/draw/canvas/jpeg.hpp"
 #include "supple/draw/canvas/png.hpp"
-#include "supple/draw/canvas/raster.hpp"
 #include "supple/draw/canvas/superscript.hpp"
 
 namespace supple {
@@ -70,13 +68,11 @@ PictureFormat picture_format(const std::string& path) {
 
 struct Canvas::Surface {
   PictureFormat format;
-  double scale;  ///< pixels per point
   std::string bytes;
   cairo_surface_t* surface = nullptr;
   cairo_t* context = nullptr;
-  std::optional<Raster> raster;  ///< draws all but text, where there are pixels
 
-  Surface(PictureFormat f, double width, double height, double s) : format(f), scale(s) {
+  Surface(PictureFormat f, double width, double height, double scale) : format(f) {
     switch (format) {
       case PictureFormat::svg:
         surface = cairo_svg_surface_create_for_stream(append_bytes, &bytes, width, height);
@@ -94,27 +90,11 @@ struct Canvas::Surface {
                                              even_pixels(height, scale));
     }
     context = cairo_create(surface);
-    if (!is_raster(format) || cairo_status(context) != CAIRO_STATUS_SUCCESS) return;
-    cairo_scale(context, scale, scale);
-    const PixelRows rows = pixels_of(surface);
-    raster.emplace(reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface)),
-                   static_cast<int>(rows.width), static_cast<int>(rows.height), rows.stride);
+    if (is_raster(format)) cairo_scale(context, scale, scale);
   }
   ~Surface() {
     cairo_destroy(context);
     cairo_surface_destroy(surface);
-  }
-  /// Points in pixels, which Cairo leaves to us.
-  std::vector<Vec2> in_pixels(std::span<const Point> points) {
-    cairo_surface_flush(surface);
-    std::vector<Vec2> out;
-    for (const Point& p : points) out.push_back(scale * p);
-    return out;
-  }
-  void stroke(std::span<const Vec2> line, Raster::Ends ends, const Pen& pen) {
-    std::vector<double> dash;
-    for (const double part : pen.dash) dash.push_back(scale * part);
-    raster->stroke(line, ends, {scale * pen.width, dash}, pen.color);
   }
   void check(const std::string& path) const {
     const cairo_status_t status = cairo_status(context);
@@ -158,19 +138,13 @@ void Canvas::paint_path(const Paint& paint) {
   cairo_new_path(c);
 }
 
-void Canvas::line(Point from, Point to, const Pen& pen) { polyline(std::array{from, to}, pen); }
+void Canvas::line(Point from, Point to, const Pen& pen) {
+  cairo_move_to(surface_->context, from[0], from[1]);
+  cairo_line_to(surface_->context, to[0], to[1]);
+  stroke_path(pen);
+}
 
 void Canvas::polyline(std::span<const Point> points, const Pen& pen) {
-  if (surface_->raster) {
-    const std::vector<Vec2> all = surface_->in_pixels(points);
-    const auto is_gap = [](const Vec2& p) { return !std::isfinite(p[0]) || !std::isfinite(p[1]); };
-    for (auto begin = all.begin(); begin != all.end();) {
-      const auto end = std::find_if(begin, all.end(), is_gap);
-      surface_->stroke({begin, end}, Raster::Ends::open, pen);
-      begin = std::find_if_not(end, all.end(), is_gap);
-    }
-    return;
-  }
   bool drawing = false;
   for (const Point& p : points) {
     const bool finite = std::isfinite(p[0]) && std::isfinite(p[1]);
@@ -181,34 +155,17 @@ void Canvas::polyline(std::span<const Point> points, const Pen& pen) {
 }
 
 void Canvas::polygon(std::span<const Point> points, const Paint& paint) {
-  if (surface_->raster) {
-    const std::vector<Vec2> ring = surface_->in_pixels(points);
-    if (paint.fill) surface_->raster->fill(ring, *paint.fill);
-    if (paint.pen) surface_->stroke(ring, Raster::Ends::joined, *paint.pen);
-    return;
-  }
   for (const Point& p : points) cairo_line_to(surface_->context, p[0], p[1]);
   if (!points.empty()) cairo_close_path(surface_->context);
   paint_path(paint);
 }
 
 void Canvas::rectangle(Point low, Point high, const Paint& paint) {
-  if (surface_->raster)
-    return polygon(std::array{low, Point{high[0], low[1]}, high, Point{low[0], high[1]}}, paint);
   cairo_rectangle(surface_->context, low[0], low[1], high[0] - low[0], high[1] - low[1]);
   paint_path(paint);
 }
 
 void Canvas::circle(Point centre, double radius, const Paint& paint) {
-  if (surface_->raster) {  // of corners that lie 0.02 pixels off the lines between them
-    const double corners = std::numbers::pi / std::sqrt(2 * 0.02 / std::max(surface_->scale * radius, 0.1));
-    std::vector<Point> ring;
-    for (int k = 0, n = static_cast<int>(std::clamp(corners, 8.0, 1e4)); k < n; ++k) {
-      const double angle = 2 * std::numbers::pi * k / n;
-      ring.push_back(centre + radius * Point{std::cos(angle), std::sin(angle)});
-    }
-    return polygon(ring, paint);
-  }
   cairo_new_sub_path(surface_->context);
   cairo_arc(surface_->context, centre[0], centre[1], radius, 0, 2 * std::numbers::pi);
   cairo_close_path(surface_->context);
@@ -241,7 +198,6 @@ double Canvas::text_width(const std::string& text, const TextStyle& style) const
 
 void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
   cairo_t* c = surface_->context;
-  cairo_surface_mark_dirty(surface_->surface);
   const double width = text_width(text, style);
   double x = style.across == Across::left ? 0 : style.across == Across::right ? -width : -width / 2;
   // By the height of capitals, not by the ink of this word, so that words beside each other share a baseline.
@@ -267,9 +223,6 @@ void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
 void Canvas::clipped(std::span<const Point> polygon, ClipTo side, const std::function<void()>& draw) {
   cairo_t* c = surface_->context;
   cairo_save(c);
-  if (surface_->raster)
-    surface_->raster->clip(surface_->in_pixels(polygon),
-                           side == ClipTo::inside ? Raster::Side::inside : Raster::Side::outside);
   if (side == ClipTo::outside) cairo_rectangle(c, 0, 0, width_, height_);
   cairo_new_sub_path(c);
   for (const Point& p : polygon) cairo_line_to(c, p[0], p[1]);
@@ -278,7 +231,6 @@ void Canvas::clipped(std::span<const Point> polygon, ClipTo side, const std::fun
   cairo_clip(c);
   cairo_set_fill_rule(c, CAIRO_FILL_RULE_WINDING);
   draw();
-  if (surface_->raster) surface_->raster->unclip();
   cairo_restore(c);
 }
 
