@@ -35,6 +35,19 @@ TEST(CellObjective, SlopeIsThatOfTheEnthalpy) {
   }
 }
 
+/// Or the energy, 1e8 times smaller near jamming, would be lost in P A.
+TEST(CellObjective, EnthalpyIsTheEnergyInTheCellAtConstruction) {
+  Sample s;
+  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  const std::vector<double> x = cell.coordinates();
+  std::vector<double> slope(x.size());
+  const double enthalpy = cell.evaluate(x, slope);
+  Evaluation<2> out;
+  s.field.evaluate(s.system, Detail::energies, out);
+  EXPECT_GT(enthalpy, 0);
+  EXPECT_NEAR(enthalpy, out.energy.stored(), 1e-14 * enthalpy);
+}
+
 /// In the cell at construction; the sparse matrix has the same rows of the cell.
 TEST(CellObjective, HessianIsThatOfTheEnthalpy) {
   Sample s;

@@ -27,7 +27,7 @@ void require_room(const Packing& packing) {
 }
 
 double reached_fraction(const Packing& packing, const JamProgress& progress) {
-  return progress.settled ? covered_fraction(packing) : progress.state.packing_fraction;
+  return is_minimum(progress) ? covered_fraction(packing) : progress.state.packing_fraction;
 }
 
 bool in_window(const JamSpec& spec, double pressure) {

@@ -37,7 +37,10 @@ struct JamProgress {
   PackingState state;
   MinimiseReport last;
   long minimisations = 0, evaluations = 0, unconverged = 0;
-  bool settled = true;  ///< the state is a minimum of the energy to the full tolerance
+  bool settled = true;   ///< the state is a minimum of the energy to the full tolerance
+  double stiffness = 1;  ///< of the contacts, as a share of the case's
+  /// Share of the work that is done, where the search knows it (JamSearch::pressure).
+  std::optional<double> share;
 
   void keep(Keeper& k) {
     k("state", state);
@@ -46,10 +49,13 @@ struct JamProgress {
     k("evaluations", evaluations);
     k("unconverged", unconverged);
     k("settled", settled);
+    k("stiffness", stiffness);
+    k("share", share);
   }
 };
-/// The packing fraction that the search has reached; of a settled state the exact one, as it will be
-/// reported.
+/// Whether the state is a minimum with contacts as they are at this stage of the search.
+inline bool is_minimum(const JamProgress& p) { return p.settled || (p.stiffness < 1 && p.last.converged); }
+/// The packing fraction that the search has reached; of a minimum the exact one, as it will be reported.
 double reached_fraction(const Packing& packing, const JamProgress& progress);
 /// Called after each minimisation; returns false to stop.
 using JamCallback = std::function<bool(const JamProgress&)>;

@@ -41,6 +41,8 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
       {{"contact_pressure", unit, "pressure by contacts alone"},
        [](const P& p) { return p.state.contact_pressure; }},
       {{"energy", "", "potential energy"}, [](const P& p) { return p.state.energy; }},
+      {{"contact_stiffness", "", "of contacts, as a share of the case's"},
+       [](const P& p) { return p.stiffness; }},
       {{"residual", "", "largest net force on a vertex"}, [](const P& p) { return p.last.residual; }},
       {{"evaluations", "", "force evaluations so far"},
        [](const P& p) { return static_cast<double>(p.evaluations); }},
@@ -55,7 +57,7 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
   };
   restore(recorder, keep);
   const auto watch = [&](const JamProgress& p) {
-    if (p.settled) observables.append("packing", p, recorder);
+    if (is_minimum(p)) observables.append("packing", p, recorder);
     recorder.progress(
         fmt::format("jam: phi = {:.4f}, P = {:.2e}", reached_fraction(packing, p), p.state.pressure),
         static_cast<std::int64_t>(999 * way.share(p)), 1000);

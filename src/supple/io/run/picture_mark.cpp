@@ -34,17 +34,13 @@ class Digest {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
-std::string big_endian(std::uint32_t x) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 0xff);
-  return bytes;
-}
 std::string png_text(const std::string& text) {
   return png_chunk("tEXt", std::string("Source") + '\0' + text);
 }
 
 std::string jpeg_comment(const std::string& text) {
-  return "\xff\xfe" + big_endian(static_cast<std::uint32_t>(text.size() + 2)).substr(2) + text;
+  const std::size_t size = text.size() + 2;
+  return std::string("\xff\xfe") + static_cast<char>(size >> 8) + static_cast<char>(size & 0xff) + text;
 }
 
 /// Behind the first two segments: the start of the image, and the header that comes with it.
