@@ -69,7 +69,7 @@ class Resume : public CommandTest {
   void write_discs(const std::string& more = "") {
     write("case.toml",
           "experiment = \"oscillatory_shear\"\n[particles]\nN = 45\n[preparation]\nstress_tolerance = "
-          "1\n[shear]\nrelative_frequency = 0.2\npre_periods = 0\nperiods = 80\npost_periods = "
+          "1\n[shear]\nrelative_frequency = 0.2\npre_periods = 0\nperiods = 400\npost_periods = "
           "0\n[output]\nframes = 5\nenergies = true\nplot = false\nsnapshot = false\n" +
               more);
   }
