@@ -13,7 +13,6 @@
 #include "supple/io/hdf5/elements.hpp"
 #include "supple/io/hdf5/system_archive.hpp"
 #include "supple/io/run/run_file.hpp"
-#include "supple/io/run/run_merge.hpp"
 
 namespace supple {
 namespace {
@@ -39,38 +38,8 @@ void write_table(h5::Group& tables, const std::string& name, const std::vector<C
   }
 }
 
-/// Whether there was room for what `write` writes.
-template <class Write>
-bool try_to(Write&& write) {
-  try {
-    write();
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-/// "12 frames from t = 0.1 s on".
-std::string frame_text(std::span<const Frame> frames, const Units& units) {
-  const std::string unit = unit_text(units, unit::time);
-  return fmt::format("{} frame{} from t = {:.6g}{} on", frames.size(), frames.size() == 1 ? "" : "s",
-                     frames[0].time, unit.empty() ? "" : " " + unit);
-}
-
-/// "3 rows of stress from t = 0.1 s on".
-std::string row_text(const std::string& table, const std::vector<Column>& columns,
-                     std::span<const double> rows) {
-  const std::size_t count = rows.size() / columns.size();
-  return fmt::format("{} row{} of {} from {} = {:.6g}{} on", count, count == 1 ? "" : "s", table,
-                     columns[0].name, rows[0], columns[0].unit.empty() ? "" : " " + columns[0].unit);
-}
-
 Clock::time_point after(Clock::time_point begin, double seconds) {
   return begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-std::ptrdiff_t whole_part(double share, std::size_t count) {
-  return static_cast<std::ptrdiff_t>(share * static_cast<double>(count));
 }
 
 /// An older run leaves segments, and temporary files where it was killed; whatever else lies there is not
@@ -139,7 +108,12 @@ FileRecorder::~FileRecorder() {
 void FileRecorder::begin(const RunInfo& info) {
   if (info_ && resumed_) return;
   info_ = info;
-  write_segment();
+  // What was told before stays in memory: a short run is written at once.
+  h5::Group root = h5::create_file(folder_, h5::Storage::plain);
+  write_header(root, case_, case_text_, info);
+  root.create_group("tables");
+  root.write("warnings", std::vector<std::string>());
+  save_segment(root);
 }
 
 void FileRecorder::declare(const std::string& table, const std::vector<Column>& columns) {
@@ -212,11 +186,15 @@ void FileRecorder::count(std::size_t bytes) {
   if (info_ && (bytes_ >= flush_.bytes || seconds_between(flushed_, now) >= interval)) write_segment();
 }
 
+void FileRecorder::save_segment(h5::Group& root) {
+  h5::save(root, folder_ + "/" + segment_name(segments_));
+  ++segments_;
+}
+
 void FileRecorder::write_segment() {
-  const std::string path = folder_ + "/" + segment_name(segments_);
-  h5::Group root = h5::create_file(path, h5::Storage::plain);  // it is soon merged
-  write_new(root);
-  h5::save(root, path);
+  h5::Group root = h5::create_file(folder_, h5::Storage::plain);  // it is soon merged
+  write_news(root);
+  save_segment(root);
   for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
   for (auto& [name, table] : tables_) {
     table.rows.clear();
@@ -228,11 +206,10 @@ void FileRecorder::write_segment() {
   final_.reset();
   bytes_ = 0;
   flushed_ = Clock::now();
-  ++segments_;
+  has_flushed_ = true;
 }
 
-void FileRecorder::write_new(h5::Group& root) {
-  if (segments_ == 0) write_header(root, case_, case_text_, *info_);
+void FileRecorder::write_news(h5::Group& root) {
   write_numbers(root);
   write_frames(root, frames_, info_->units, contacts_);
   if (final_) {
@@ -254,74 +231,6 @@ void FileRecorder::write_numbers(h5::Group& root) {
     write_value(target, value);
   }
   root.write("warnings", warnings_);
-}
-
-/// After a last segment for which there was no room: the final state, then rows and frames from the first on,
-/// in pieces that become smaller as the room does. Returns what is lost; the recorder forgets it.
-std::string FileRecorder::save_what_fits() {
-  const std::vector<Frame> frames = std::exchange(frames_, {});
-  std::map<std::string, std::vector<double>> rows;
-  for (auto& [name, table] : tables_) rows[name] = std::exchange(table.rows, {});
-  const auto rows_before = [&](double share, const std::string& name) {
-    const auto width = std::max<std::size_t>(1, tables_.at(name).columns.size());
-    return static_cast<std::ptrdiff_t>(width) * whole_part(share, rows.at(name).size() / width);
-  };
-  std::string lost;
-  const auto lose = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
-  if (final_ && !try_to([&] { write_segment(); })) lose("the final state");
-  final_.reset();
-
-  double saved = 0;  // share of what there was
-  for (double piece = 0.5; saved < 1 && piece > 1e-3;) {
-    const double end = saved + piece;
-    frames_.assign(frames.begin() + whole_part(saved, frames.size()),
-                   frames.begin() + whole_part(end, frames.size()));
-    for (auto& [name, table] : tables_)
-      table.rows.assign(rows.at(name).begin() + rows_before(saved, name),
-                        rows.at(name).begin() + rows_before(end, name));
-    if (try_to([&] { write_segment(); })) saved = end;
-    else piece /= 2;
-  }
-  frames_.clear();
-  for (auto& [name, table] : tables_) {
-    table.rows.clear();
-    const std::span<const double> left = std::span(rows.at(name)).subspan(rows_before(saved, name));
-    if (!left.empty()) lose(row_text(name, table.columns, left));
-  }
-  const std::span<const Frame> left = std::span(frames).subspan(whole_part(saved, frames.size()));
-  if (!left.empty()) lose(frame_text(left, info_->units));
-  return lost;
-}
-
-void FileRecorder::finish(const std::string& status) {
-  if (failure_) throw *failure_;
-  const std::string kept = "what is complete is in " + folder_ + ", which every command reads: supple show " +
-                           folder_ + "; supple export " + folder_ +
-                           " --to hdf5 -o NAME makes one file of it where there is room";
-  if (status == "interrupted" && !phase_.empty())
-    warnings_.push_back(
-        fmt::format("{}{}{}", place_.empty() ? "interrupted" : place_,
-                    phase_share_ > 0 ? fmt::format(", {:.0f} % of: ", 100 * phase_share_) : ", ", phase_));
-  try {
-    if (info_) write_segment();
-  } catch (const Error& e) {
-    const std::string lost = save_what_fits();
-    if (segments_ == 0) throw;
-    // What the run ended of, where that was not the same.
-    const bool another = status.starts_with("failed") && status.find("cannot write") == status.npos;
-    if (!lost.empty())
-      failure_.emplace(e.kind(), (another ? "the run " + status + "; " : "") + e.what(), "",
-                       "lost: " + lost + "; " + kept);
-  }
-  finished_ = true;  // whatever the merge meets, the segments are complete
-  try {
-    if (info_ && !failure_) save_merged(RunFile(folder_), status, path_, existing_);
-  } catch (const Error& e) {
-    failure_.emplace(e.kind(), e.what(), "", "nothing is lost: " + kept);
-  }
-  if (failure_) throw *failure_;
-  std::error_code error;
-  if (status != "interrupted" || !can_resume()) fs::remove_all(folder_, error);
 }
 
 }  // namespace supple

@@ -90,8 +90,11 @@ class FileRecorder : public Recorder {
 
   void count(std::size_t bytes);
   void write_segment();
-  void write_new(h5::Group& root);
+  void save_segment(h5::Group& root);
+  void write_news(h5::Group& root);
   void write_numbers(h5::Group& root);
+  void save_whole(const std::string& status);
+  void clean_up(const std::string& status) const;
   bool has_news() const;
   void lock_folder();
   void take_up(const Checkpoint& checkpoint);
@@ -112,6 +115,7 @@ class FileRecorder : public Recorder {
   std::optional<Error> failure_;  ///< thrown by finish()
   int lock_ = -1;                 ///< descriptor of the folder, locked while this writes there
   int segments_ = 0;
+  bool has_flushed_ = false;   ///< whether a segment holds more than what the run begins with
   std::int64_t contacts_ = 0;  ///< rows of contacts in the segments so far
   std::size_t bytes_ = 0;      ///< in memory, since the last segment
   std::map<std::string, Table> tables_;

@@ -83,6 +83,7 @@ void FileRecorder::lock_folder() {
 
 void FileRecorder::take_up(const Checkpoint& checkpoint) {
   segments_ = checkpoint.segments;
+  has_flushed_ = segments_ > 1;
   contacts_ = checkpoint.contacts;
   checkpoints_written_ = checkpoint.number;
   cpu_time_before_ = checkpoint.cpu_time;
