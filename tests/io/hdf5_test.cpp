@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <cmath>
 #include <thread>
 
+#include "supple/core/random.hpp"
 #include "supple/io/hdf5/hdf5.hpp"
 #include "tests/io/temporary_folder.hpp"
 
@@ -15,6 +17,14 @@ using supple::testing::write_content;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 class Hdf5 : public supple::testing::TemporaryFolder {};
+
+bool is_compressed(const Group& group, const std::string& name) {
+  const Object dataset = group.open_dataset(name), list(H5Dget_create_plist(dataset.id()));
+  unsigned int flags = 0, configuration = 0;
+  std::size_t values = 0;
+  return H5Pget_filter_by_id(list.id(), H5Z_FILTER_DEFLATE, &flags, &values, nullptr, 0, nullptr,
+                             &configuration) >= 0;
+}
 
 TEST_F(Hdf5, ValuesAndAttributesComeBackAsTheyWere) {
   const std::string path = in_folder("a.h5");
@@ -70,6 +80,28 @@ TEST_F(Hdf5, RowsOfOtherFilesAreJoinedWithTheirAttributes) {
   EXPECT_THAT(to.read<double>("speed"), ElementsAre(1, 2, 3, 4, 1, 2, 3, 4));
   EXPECT_EQ(to.read<double>("large"), std::vector<double>(20000, 1.5));
   EXPECT_EQ(to.open_dataset("speed").text("unit"), "m/s");
+}
+
+/// Noise stays as it is, whichever way it comes into a file.
+TEST_F(Hdf5, WhatDoesNotBecomeSmallerIsNotCompressed) {
+  std::vector<double> noise, slow;
+  for (std::uint64_t k = 0; k < 10000; ++k) {
+    noise.push_back(std::pow(10, RandomStream(1, Purpose::test, k).uniform(-99, 99)));
+    slow.push_back(static_cast<double>(k));
+  }
+  Group root = create_file("a.h5"), joined = create_file("b.h5");
+  root.write("noise", noise);
+  root.write("slow", slow);
+  root.write("rows", noise, {10, 1000});
+  for (const std::string name : {"noise", "slow", "rows"})
+    root.copy_rows(name, joined.create_like(root, name, root.shape(name)[0]), 0);
+  for (const Group* file : {&root, &joined}) {
+    EXPECT_FALSE(is_compressed(*file, "noise"));
+    EXPECT_TRUE(is_compressed(*file, "slow"));
+    EXPECT_FALSE(is_compressed(*file, "rows"));
+    EXPECT_EQ(file->read<double>("noise"), noise);
+    EXPECT_EQ(file->read<double>("slow"), slow);
+  }
 }
 
 /// What is soon merged into another file is not compressed; what stays is.

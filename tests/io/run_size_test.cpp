@@ -17,6 +17,12 @@ struct Weight {
   std::uint64_t bytes = 0;
   std::vector<std::string> contiguous, unchecked;
 
+  static bool has_checksum(hid_t list) {
+    unsigned int flags = 0, configuration = 0;
+    std::size_t values = 0;
+    return H5Pget_filter_by_id(list, H5Z_FILTER_FLETCHER32, &flags, &values, nullptr, 0, nullptr,
+                               &configuration) >= 0;
+  }
   void add(const h5::Group& group, const std::string& path) {
     for (const std::string& name : group.names()) {
       if (group.is_group(name)) {
@@ -28,7 +34,7 @@ struct Weight {
                   list = H5Dget_create_plist(dataset.id());
       bytes += H5Tget_size(type) * static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space));
       if (H5Pget_layout(list) == H5D_CONTIGUOUS) contiguous.push_back(path + name);
-      if (H5Pget_layout(list) == H5D_CHUNKED && H5Pget_nfilters(list) < 3) unchecked.push_back(path + name);
+      if (H5Pget_layout(list) == H5D_CHUNKED && !has_checksum(list)) unchecked.push_back(path + name);
       H5Tclose(type);
       H5Sclose(space);
       H5Pclose(list);

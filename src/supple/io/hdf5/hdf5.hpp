@@ -47,8 +47,8 @@ class Object {
 };
 
 /// How the arrays of a file that are larger than a header are kept: in pieces with a checksum each,
-/// compressed or as they are. Numbers of a simulation become little smaller, and compressing them takes
-/// longer than writing them.
+/// compressed where a sample of them becomes smaller by a tenth, or as they are. Many numbers of a simulation
+/// become little smaller, and compressing them takes longer than writing them.
 enum class Storage { compressed, plain };
 
 /// A group. Element types T are double, std::int32_t, std::int64_t, std::uint8_t and std::string (UTF-8;

@@ -1,4 +1,6 @@
 /// Datasets: whole arrays, and arrays that are put together from the rows of others.
+#include <zlib.h>
+
 #include <algorithm>
 
 #include "supple/io/hdf5/hdf5_calls.hpp"
@@ -18,6 +20,29 @@ constexpr std::uint64_t compact_bytes = 2048;
 constexpr std::uint64_t header_bytes = 60000;
 /// Bytes of a piece, about: little enough to read a piece for a single frame.
 constexpr std::uint64_t piece_bytes = 32768;
+constexpr int deflate_level = 1;
+
+/// Bytes of an array that tell whether it is worth compressing, about.
+constexpr std::uint64_t sample_bytes = 8192;
+/// Whether these values become smaller by a tenth, byte after byte as HDF5 shuffles them.
+bool become_smaller(const char* values, std::size_t count, std::size_t value_bytes) {
+  std::vector<Bytef> shuffled(count * value_bytes);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t b = 0; b < value_bytes; ++b)
+      shuffled[b * count + k] = static_cast<Bytef>(values[k * value_bytes + b]);
+  uLongf size = compressBound(static_cast<uLong>(shuffled.size()));
+  std::vector<Bytef> compressed(size);
+  return compress2(compressed.data(), &size, shuffled.data(), static_cast<uLong>(shuffled.size()),
+                   deflate_level) == Z_OK &&
+         static_cast<double>(size) < 0.9 * static_cast<double>(shuffled.size());
+}
+
+/// How to keep an array of so many bytes that may be compressed.
+template <class IsWorthIt>
+Storage storage_for(std::uint64_t bytes, Storage allowed, const IsWorthIt& is_worth_it) {
+  if (allowed == Storage::plain || bytes <= compact_bytes) return allowed;
+  return is_worth_it() ? Storage::compressed : Storage::plain;
+}
 
 /// How an array of this shape is kept. An empty one may grow: programs that copy files fail on a layout
 /// without pieces.
@@ -39,7 +64,7 @@ Object layout_of(const Shape& shape, std::uint64_t value_bytes, Storage storage)
   H5Pset_chunk(list.id(), static_cast<int>(piece.size()), reinterpret_cast<const hsize_t*>(piece.data()));
   if (storage == Storage::compressed) {
     H5Pset_shuffle(list.id());
-    H5Pset_deflate(list.id(), 1);
+    H5Pset_deflate(list.id(), deflate_level);
   }
   H5Pset_fletcher32(list.id());
   return list;
@@ -72,8 +97,14 @@ template <class T>
 Object Group::write(const std::string& name, std::span<const T> values, const Shape& shape) {
   const Quiet quiet;
   const Buffer<T> buffer(values);
+  const std::size_t size = H5Tget_size(buffer.type.id());
+  const auto is_worth_it = [&] {
+    const std::size_t count = std::min<std::size_t>(values.size(), 1 + sample_bytes / size);
+    return become_smaller(static_cast<const char*>(buffer.data) + (values.size() - count) / 2 * size, count,
+                          size);
+  };
   Object dataset = create_dataset(id(), name, buffer.type.id(), shape.empty() ? Shape{values.size()} : shape,
-                                  storage_, where());
+                                  storage_for(values.size() * size, storage_, is_worth_it), where());
   if (!values.empty())
     checked(H5Dwrite(dataset.id(), buffer.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer.data), "write",
             dataset);
@@ -100,8 +131,21 @@ Object Group::create_like(const Group& from, const std::string& name, std::uint6
   const Object source = from.open_dataset(name);
   const Object type(H5Dget_type(source.id()));
   Shape shape = from.shape(name);
+  const std::uint64_t size = H5Tget_size(type.id()), row = product(shape, 1) * size;
+  const auto is_worth_it = [&, there = shape] {
+    if (H5Tis_variable_str(type.id()) > 0) return true;
+    Shape some = there;
+    some[0] = std::min(there[0], 1 + sample_bytes / std::max<std::uint64_t>(1, row));
+    std::vector<char> sample(some[0] * row);
+    const Object space(H5Dget_space(source.id())), memory_space = space_of(some);
+    select_rows(space.id(), there, (there[0] - some[0]) / 2, some[0]);
+    checked(H5Dread(source.id(), type.id(), memory_space.id(), space.id(), H5P_DEFAULT, sample.data()),
+            "read", source);
+    return become_smaller(sample.data(), sample.size() / size, size);
+  };
+  const Storage storage = storage_for(product(shape) * size, storage_, is_worth_it);
   shape.at(0) = rows;
-  Object made = create_dataset(id(), name, type.id(), shape, storage_, where());
+  Object made = create_dataset(id(), name, type.id(), shape, storage, where());
   copy_all_attributes(source.id(), made.id(), source.where());
   return made;
 }
