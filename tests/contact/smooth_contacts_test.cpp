@@ -1,5 +1,6 @@
 #include "supple/contact/smooth_contacts.hpp"
 
+#include "supple/core/parallel.hpp"
 #include "tests/support/field_check.hpp"
 #include "tests/support/polygons.hpp"
 #include "tests/support/probe.hpp"
@@ -37,6 +38,27 @@ TEST(SmoothContacts, ForceFieldHoldsWhatEveryFieldMust) {
   EXPECT_GT(convex, 50);
   EXPECT_GE(concave, 2);
   EXPECT_GE(inside, 2);
+}
+
+TEST(SmoothContacts, GiveTheSameBitsForAnyNumberOfThreads) {
+  System<2> system = crowd(5, 900);
+  for (int k = 0; k < 2000; ++k) add_disc_body(system, {0.5 + 0.61 * (k % 50), 0.4 + 1.3 * (k / 50)}, 0.35);
+  ForceField field(SmoothContacts(Harmonic{1.5, true}));
+  Evaluation<2> one, more;
+  field.evaluate(system, Detail::energies, one);
+  const int violations = field.bodies()->feature_violations();
+  for (const int threads : {2, 3}) {
+    const WithThreads some(threads);
+    field.evaluate(system, Detail::energies, more);
+    EXPECT_EQ(one.force, more.force);
+    EXPECT_EQ(one.energy.elastic, more.energy.elastic);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(one.virial[i / 2][i % 2], more.virial[i / 2][i % 2]);
+    EXPECT_EQ(field.bodies()->feature_violations(), violations);
+  }
+  int discs = 0, edges = 0;
+  for (const auto& r : field.bodies()->records(system)) (r.row >= 0 ? discs : edges) += 1;
+  EXPECT_GT(discs, 4 * chunk_size);  // or they would not be shared
+  EXPECT_GT(edges, 4 * chunk_size);
 }
 
 TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {

@@ -37,6 +37,17 @@ TEST_F(Parallel, EveryChunkIsDoneOnceByAnyNumberOfThreadsAndLoops) {
   }
 }
 
+TEST_F(Parallel, EachThreadHasOneTurnEvenWhereOneDoesAll) {
+  for (const int threads : {1, 2, 5}) {
+    thread_count() = threads;
+    for (int repeat = 0; repeat < 200; ++repeat) {
+      std::vector<int> turns(static_cast<std::size_t>(threads));
+      for_each_thread([&](std::int64_t k) { ++turns[static_cast<std::size_t>(k)]; });
+      EXPECT_EQ(turns, std::vector<int>(static_cast<std::size_t>(threads), 1));
+    }
+  }
+}
+
 /// Sums of numbers of very different size: another order gives other bits.
 TEST_F(Parallel, SumsHaveTheSameBitsForAnyNumberOfThreads) {
   const auto sum = [](int threads) {

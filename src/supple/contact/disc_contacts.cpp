@@ -172,16 +172,12 @@ void write_rows(const Candidates& c, const Touching& t, Evaluation<2>& out) {
   }
 }
 
-void add_forces(const System<2>& system, const Candidates& c, const Touching& t, Evaluation<2>& out) {
-  const std::vector<double>& radius = system.state.radius;
+/// visit(push) for each row that touches, in order; push: as {first, second, force, twist}.
+template <class Push, class Visit>
+void for_pushes(const System<2>& system, const Candidates& c, const Touching& t, const Visit& visit) {
   for (int a = 0; a < t.count; ++a) {
     const int lane = t.lane[a], row = c.begin + t.candidate[lane];
-    const auto i = system.pairs.first[row], j = system.pairs.second[row];
-    const Vec2 force{t.f_x[lane], t.f_y[lane]};
-    out.force[i] += force;
-    out.force[j] -= force;
-    out.torque[i] += radius[i] * t.twist[lane];
-    out.torque[j] += radius[j] * t.twist[lane];
+    visit(Push{system.pairs.first[row], system.pairs.second[row], {t.f_x[lane], t.f_y[lane]}, t.twist[lane]});
   }
 }
 
@@ -278,9 +274,22 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
     return respond_contact(repulsion, law, slip, m, u);
   };
   const auto link = [=](const PairMotion& m, double u) { return respond_link(repulsion, law, m, u); };
-  const bool serial = runs_in_place(system.state.size());
+  const std::int64_t sites = system.state.size();
+  const bool serial = runs_in_place(sites);
+  if (!serial) pushes_.begin(chunk_count(sites), sites);
+  const auto add = [radius = system.state.radius.data(), &out](const Push& push, const auto& here) {
+    if (here(push.first)) {
+      out.force[push.first] += push.force;
+      out.torque[push.first] += radius[push.first] * push.twist;
+    }
+    if (here(push.second)) {
+      out.force[push.second] -= push.force;
+      out.torque[push.second] += radius[push.second] * push.twist;
+    }
+  };
+  constexpr auto everywhere = [](std::int32_t) { return true; };
 
-  const ChunkSum total = sum_chunks<ChunkSum>(system.state.size(), [&](std::int64_t begin, std::int64_t end) {
+  const ChunkSum total = sum_chunks<ChunkSum>(sites, [&](std::int64_t begin, std::int64_t end) {
     ChunkSum sum;
     for (int row = pairs.begin[begin]; row < pairs.begin[end]; row += batch_size) {
       Candidates c;
@@ -293,40 +302,18 @@ void DiscContacts::fill_rows(const R& repulsion, const System<2>& system, double
       apply_law(0, t.contacts, law.lever_arm, dt, t, contact);
       apply_law(t.links_begin(), batch_size, law.lever_arm, dt, t, link);
       write_rows(c, t, out);
-      if (serial) add_forces(system, c, t, out);
+      if (serial) for_pushes<Push>(system, c, t, [&](const Push& push) { add(push, everywhere); });
+      else
+        for_pushes<Push>(system, c, t, [&](const Push& push) {
+          pushes_.keep(begin / chunk_size, push, std::array{push.first, push.second});
+        });
       if (detail == Detail::energies) add_energies(repulsion, law, system, dt, c, t, out, sum);
     }
     return sum;
   });
   out.energy += total.energy;
   out.virial += total.virial;
-  if (serial) return;
-  back_rows_.update(pairs, system.state.size());
-  gather(system, out);
-}
-
-/// Each site adds its contacts in ascending order of the partner, as the serial scatter does: the same bits.
-void DiscContacts::gather(const System<2>& system, Evaluation<2>& out) const {
-  const PairTable& pairs = system.pairs;
-  const std::vector<double>& radius = system.state.radius;
-  for_chunks(system.state.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-    for (std::int32_t i = static_cast<std::int32_t>(begin); i < end; ++i) {
-      for (const std::int32_t row : back_rows_.of(i)) {
-        const PairForce<2>& p = out.pair[row];
-        if (!p.active) continue;
-        out.force[i] -= force_on_first(p);
-        out.torque[i] +=
-            radius[i] * torque_per_radius(p.tangential, p.distance, radius[pairs.first[row]] + radius[i]);
-      }
-      for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row) {
-        const PairForce<2>& p = out.pair[row];
-        if (!p.active) continue;
-        out.force[i] += force_on_first(p);
-        out.torque[i] +=
-            radius[i] * torque_per_radius(p.tangential, p.distance, radius[i] + radius[pairs.second[row]]);
-      }
-    }
-  });
+  if (!serial) pushes_.add(add);
 }
 
 }  // namespace supple

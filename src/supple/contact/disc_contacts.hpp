@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <variant>
 
-#include "supple/contact/back_rows.hpp"
 #include "supple/contact/laws/list.hpp"
-#include "supple/core/parallel.hpp"
+#include "supple/contact/pushes.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/loss_power.hpp"
 #include "supple/model/system.hpp"
@@ -34,14 +33,19 @@ class DiscContacts {
   struct LossyTangential {
     double dashpot, sliding;
   };
+  /// The force on the first disc of a row, and the torque on each over its radius.
+  struct Push {
+    std::int32_t first, second;
+    Vec2 force;
+    double twist;
+  };
   void keep_lossy(const Evaluation<2>& evaluation);
   template <class R>
   void fill_rows(const R& repulsion, const System<2>& system, double dt, Detail detail, Evaluation<2>& out);
-  void gather(const System<2>& system, Evaluation<2>& out) const;
 
   Repulsion repulsion_;
   DiscLaw law_;
-  BackRows back_rows_;
+  Pushes<Push> pushes_;                 ///< with several threads
   std::vector<LossyTangential> lossy_;  ///< of each row, from the last evaluation with energies
 };
 

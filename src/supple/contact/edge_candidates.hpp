@@ -46,6 +46,7 @@ class EdgeCandidates {
   /// Rows of two bodies of one site each, and their images (RowImages).
   const std::vector<std::int32_t>& disc_rows() const { return disc_rows_; }
   RowImages<2>& images() { return images_; }
+  const RowImages<2>& images() const { return images_; }
 
  private:
   struct Found;

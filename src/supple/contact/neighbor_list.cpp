@@ -118,18 +118,20 @@ bool NeighborList<Dim>::stale(const System<Dim>& system) const {
   const double limit = 0.25 * slack * slack, middle = 0.5 * box.length[gradient];
   // How many sites are within the limit; a position that is not a number is not. Few bodies are ever wrapped:
   // the nearest image is asked for only where it matters.
-  const auto within = [&](const auto& nearest) {
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < position_at_build_.size(); ++i) {
-      Vec<Dim> u = system.state.position[i];
-      for (int d = 0; d < Dim; ++d) u[d] -= growth[d] * position_at_build_[i][d];
-      u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
-      nearest(u);
-      count += dot(u, u) <= limit;
-    }
-    return count;
-  };
   const auto all = static_cast<std::int64_t>(position_at_build_.size());
+  const auto within = [&](const auto& nearest) {
+    return sum_chunks<std::int64_t>(all, [&](std::int64_t begin, std::int64_t end) {
+      std::int64_t count = 0;
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        Vec<Dim> u = system.state.position[i];
+        for (int d = 0; d < Dim; ++d) u[d] -= growth[d] * position_at_build_[i][d];
+        u[flow] -= strain_change * (position_at_build_[i][gradient] - middle);
+        nearest(u);
+        count += dot(u, u) <= limit;
+      }
+      return count;
+    });
+  };
   if (within([](Vec<Dim>&) {}) == all) return false;
   return within([images = box.lattice()](Vec<Dim>& u) { images.reduce(u); }) != all;
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "supple/contact/coincident.hpp"
-#include "supple/core/parallel.hpp"
 
 namespace supple {
 
@@ -17,7 +16,7 @@ struct RoughContacts::Sum {
   }
 };
 
-/// visit(row, push) for each row of [begin, end) that touches, in order; push: the force on the second site.
+/// visit(push) for each row of [begin, end) that touches, in order.
 template <bool energies, bool links, class Laws, class Visit>
 void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here, int begin, int end, Sum& sum,
                                  const Visit& visit) const {
@@ -39,7 +38,7 @@ void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here,
     double distance = std::sqrt(square), per_distance = 1 / distance;
     if (distance == 0) r = arbitrary_direction<2>(i, j), per_distance = 1;
     const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;
-    visit(row, push);
+    visit(Push{i, j, push});
     if constexpr (energies) {
       sum.energy += law_here.energy(distance, sigma);
       if (distance > 0) sum.virial.add_outer(1, push, r);
@@ -52,36 +51,27 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Laws& l
   const PairTable& pairs = system.pairs;
   const int sites = system.state.size();
   const bool serial = runs_in_place(sites);
-  if (!serial) push_.assign(static_cast<std::size_t>(pairs.size()), Vec2{});
+  if (!serial) pushes_.begin(chunk_count(sites), sites);
+  const auto add = [force = out.force.data()](const Push& push, const auto& here) {
+    if (here(push.first)) force[push.first] -= push.force;
+    if (here(push.second)) force[push.second] += push.force;
+  };
+  constexpr auto everywhere = [](std::int32_t) { return true; };
   const Sum total = sum_chunks<Sum>(sites, [&](std::int64_t begin, std::int64_t end) {
     Sum sum;
-    const auto scatter = [&, first = pairs.first.data(), second = pairs.second.data(),
-                          force = out.force.data()](int row, const Vec2& push) {
-      force[first[row]] -= push;
-      force[second[row]] += push;
-    };
-    const auto keep = [&](int row, const Vec2& push) { push_[row] = push; };
-    if (serial)
+    const auto scatter = [&](const Push& push) { add(push, everywhere); };
+    if (serial) {
       for_touching<energies, links>(system, laws, pairs.begin[begin], pairs.begin[end], sum, scatter);
-    else for_touching<energies, links>(system, laws, pairs.begin[begin], pairs.begin[end], sum, keep);
+      return sum;
+    }
+    const auto keep = [&](const Push& push) {
+      pushes_.keep(begin / chunk_size, push, std::array{push.first, push.second});
+    };
+    for_touching<energies, links>(system, laws, pairs.begin[begin], pairs.begin[end], sum, keep);
     return sum;
   });
-  if (!serial) gather(pairs, sites, out);
+  if (!serial) pushes_.add(add);
   return total;
-}
-
-/// Each site adds its contacts in ascending order of the partner. The serial scatter has the same order, so
-/// the bits agree.
-void RoughContacts::gather(const PairTable& pairs, int sites, Evaluation<2>& out) {
-  back_rows_.update(pairs, sites);
-  for_chunks(sites, [&](std::int64_t, std::int64_t begin, std::int64_t end) {
-    for (auto i = static_cast<std::int32_t>(begin); i < end; ++i) {
-      for (const std::int32_t row : back_rows_.of(i))
-        if (!(push_[row] == Vec2{})) out.force[i] += push_[row];
-      for (std::int32_t row = pairs.begin[i]; row < pairs.begin[i + 1]; ++row)
-        if (!(push_[row] == Vec2{})) out.force[i] -= push_[row];
-    }
-  });
 }
 
 bool RoughContacts::is_linked(const System<2>& system, int row) const {

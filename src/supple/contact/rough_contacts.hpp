@@ -1,8 +1,8 @@
 /// Rough contacts: vertices are discs that repel those of other bodies.
 #pragma once
-#include "supple/contact/back_rows.hpp"
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/linked_touches.hpp"
+#include "supple/contact/pushes.hpp"
 #include "supple/contact/row_images.hpp"
 
 namespace supple {
@@ -20,20 +20,23 @@ class RoughContacts final : public BodyContacts {
 
  private:
   struct Sum;
+  /// The force on the second site of a row.
+  struct Push {
+    std::int32_t first, second;
+    Vec2 force;
+  };
   template <bool energies, bool links, class Laws, class Visit>
   void for_touching(const System<2>& system, const Laws& laws, int begin, int end, Sum& sum,
                     const Visit& visit) const;
   template <bool energies, bool links, class Laws>
   Sum add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out);
-  void gather(const PairTable& pairs, int sites, Evaluation<2>& out);
 
   bool is_linked(const System<2>& system, int row) const;
 
   RowImages<2> images_;
   LinkedTouches linked_;
   std::vector<Vec2> shifts_;
-  BackRows back_rows_;
-  std::vector<Vec2> push_;  ///< of each row on its second site, with several threads
+  Pushes<Push> pushes_;  ///< with several threads
 };
 
 }  // namespace supple

@@ -3,6 +3,7 @@
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/edge_candidates.hpp"
 #include "supple/contact/linked_touches.hpp"
+#include "supple/contact/pushes.hpp"
 
 namespace supple {
 
@@ -41,18 +42,26 @@ class SmoothContacts final : public BodyContacts {
 
  private:
   struct Sum;
+  /// A force on a site from the start of an edge, or a corner, of another body; `at_end` of it from the end.
+  struct Push {
+    std::int32_t site, start, end;
+    Vec2 force, at_end;
+    double distance, energy;
+    Vec2 normal;
+  };
   template <bool energies, class Laws>
   void add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out, Sum& sum);
 
   void update(const System<2>& system);
-  void select_acting(const System<2>& system);
+  void leave_out_linked(std::vector<std::int32_t>& selected) const;
   template <class Laws, class Meet>
-  void walk_discs(const System<2>& system, const Laws& laws, const Meet& meet);
+  void walk_discs(const System<2>& system, const Laws& laws, const std::vector<Vec2>& shifts,
+                  std::int64_t begin, std::int64_t end, const Meet& meet) const;
 
   EdgeCandidates candidates_;
   LinkedTouches linked_;
   std::vector<std::int32_t> body_;  ///< of each site, where something is linked
-  std::vector<std::int32_t> selected_;
+  Pushes<Push> pushes_;             ///< with several threads
   int violations_ = 0;
 };
 

@@ -2,6 +2,7 @@
 /// chunk, so every result is the same, bit for bit, for any number of threads.
 #pragma once
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace supple {
@@ -41,33 +42,54 @@ inline bool runs_in_place(std::int64_t n) {
 /// belong to the calling thread and end with it.
 void run_chunks(std::int64_t chunks, int threads, void (*work)(void*, std::int64_t), void* context);
 
+/// body(part) for each of these parts, however large they are.
+template <class Body>
+void for_parts(std::int64_t parts, Body&& body) {
+  if (thread_count() == 1 || parts < 2 * thread_count()) {
+    for (std::int64_t p = 0; p < parts; ++p) body(p);
+    return;
+  }
+  run_chunks(
+      parts, thread_count(),
+      [](void* b, std::int64_t p) { (*static_cast<std::remove_reference_t<Body>*>(b))(p); },
+      const_cast<void*>(static_cast<const void*>(&body)));
+}
+
 /// body(chunk, begin, end) for each chunk of [0, n).
 template <class Body>
 void for_chunks(std::int64_t n, Body&& body) {
-  const std::int64_t chunks = chunk_count(n);
-  auto run = [&](std::int64_t c) {
+  for_parts(chunk_count(n), [&](std::int64_t c) {
     const std::int64_t end = (c + 1) * chunk_size;
     body(c, c * chunk_size, end < n ? end : n);
-  };
-  if (runs_in_place(n)) {
-    for (std::int64_t c = 0; c < chunks; ++c) run(c);
-    return;
-  }
-  using Run = decltype(run);
-  run_chunks(
-      chunks, thread_count(), [](void* r, std::int64_t c) { (*static_cast<Run*>(r))(c); }, &run);
+  });
 }
 
-/// Sum over chunks of body(begin, end), added in the order of the chunks. Sum must have +=.
+/// body(k) for each k below thread_count(), each in a thread of its own if the system lets them run.
+template <class Body>
+void for_each_thread(Body&& body) {
+  run_chunks(
+      thread_count(), thread_count(),
+      [](void* b, std::int64_t k) { (*static_cast<std::remove_reference_t<Body>*>(b))(k); },
+      const_cast<void*>(static_cast<const void*>(&body)));
+}
+
+/// Sum over parts of body(part), added in the order of the parts. Sum must have +=.
+template <class Sum, class Body>
+Sum sum_parts(std::int64_t parts, Body&& body) {
+  std::vector<Sum> sums(static_cast<std::size_t>(parts));
+  for_parts(parts, [&](std::int64_t p) { sums[static_cast<std::size_t>(p)] = body(p); });
+  Sum total{};
+  for (const Sum& sum : sums) total += sum;
+  return total;
+}
+
+/// Sum over chunks of body(begin, end), added in the order of the chunks.
 template <class Sum, class Body>
 Sum sum_chunks(std::int64_t n, Body&& body) {
-  std::vector<Sum> parts(static_cast<std::size_t>(chunk_count(n)));
-  for_chunks(n, [&](std::int64_t c, std::int64_t begin, std::int64_t end) {
-    parts[static_cast<std::size_t>(c)] = body(begin, end);
+  return sum_parts<Sum>(chunk_count(n), [&](std::int64_t c) {
+    const std::int64_t end = (c + 1) * chunk_size;
+    return body(c * chunk_size, end < n ? end : n);
   });
-  Sum total{};
-  for (const Sum& part : parts) total += part;
-  return total;
 }
 
 }  // namespace supple

@@ -1,6 +1,7 @@
 #include "supple/force/polygon_shape.hpp"
 
 #include "supple/core/multiply_add.hpp"
+#include "supple/core/parallel.hpp"
 #include "supple/force/ring_hessian.hpp"
 #include "supple/force/rings.hpp"
 #include "supple/force/shape_terms.hpp"
@@ -165,6 +166,28 @@ void add_group(const System<2>& system, Detail detail, Group& g, Evaluation<2>& 
   for_rings(g.rings, [&](Ring& r) { add_virial(r, sum); });
 }
 
+int ring_size(const System<2>& system, int b) {
+  return system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];
+}
+
+/// Bodies at which the parts begin that threads share, and their end: as many bodies as a chunk has, or fewer
+/// large ones.
+std::vector<int> parts_of_rings(const System<2>& system) {
+  constexpr int most_vertices = 32 * static_cast<int>(chunk_size);
+  const auto bodies = static_cast<int>(system.shape.stiffness.size());
+  std::vector<int> begin{0};
+  int vertices = 0;
+  for (int b = 0; b < bodies; ++b) {
+    if (b - begin.back() >= chunk_size || (vertices > 0 && vertices + ring_size(system, b) > most_vertices)) {
+      begin.push_back(b);
+      vertices = 0;
+    }
+    vertices += ring_size(system, b);
+  }
+  begin.push_back(bodies);
+  return begin;
+}
+
 }  // namespace
 
 double PolygonShape::energy(const System<2>& system) const {
@@ -175,23 +198,24 @@ double PolygonShape::energy(const System<2>& system) const {
 
 void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const {
   if (system.shape.empty()) return;
-  const Topology<2>& t = system.topology;
-  const ShapeSum total = sum_chunks<ShapeSum>(static_cast<std::int64_t>(system.shape.stiffness.size()),
-                                              [&](std::int64_t begin, std::int64_t end) {
-                                                static thread_local Group group;
-                                                ShapeSum sum;
-                                                int sites = 0;
-                                                group.rings.clear();
-                                                for (auto b = static_cast<int>(begin); b < end; ++b) {
-                                                  const int n = t.facet_begin[b + 1] - t.facet_begin[b];
-                                                  if (n > 0) group.rings.emplace_back(b, n);
-                                                  if ((sites += n) < Group::sites && b + 1 < end) continue;
-                                                  add_group(system, detail, group, out, sum);
-                                                  group.rings.clear();
-                                                  sites = 0;
-                                                }
-                                                return sum;
-                                              });
+  const std::vector<int> part_begin = parts_of_rings(system);
+  const auto add_part = [&](std::int64_t part) {
+    static thread_local Group group;
+    ShapeSum sum;
+    const int end = part_begin[static_cast<std::size_t>(part) + 1];
+    int sites = 0;
+    group.rings.clear();
+    for (int b = part_begin[static_cast<std::size_t>(part)]; b < end; ++b) {
+      const int n = ring_size(system, b);
+      if (n > 0) group.rings.emplace_back(b, n);
+      if ((sites += n) < Group::sites && b + 1 < end) continue;
+      add_group(system, detail, group, out, sum);
+      group.rings.clear();
+      sites = 0;
+    }
+    return sum;
+  };
+  const auto total = sum_parts<ShapeSum>(static_cast<std::int64_t>(part_begin.size()) - 1, add_part);
   if (detail == Detail::forces) return;
   out.energy.terms += total.energy.total();
   for (int c = 0; c < 2; ++c)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "supple/core/parallel.hpp"
 #include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 
@@ -56,19 +57,27 @@ void present_motion(const System<2>& system, double rate, PresentMotion<2>& out)
   out.velocity.clear();
   out.strain_rate = rate;
   if (half == 0 && change == 0) return;
-  out.velocity = s.velocity;
-  out.spin = s.spin;
+  out.velocity.resize(s.velocity.size());
+  out.spin.resize(s.spin.size());
   const bool known = system.knows_acceleration(), discs = system.topology.begin.empty();
   const double middle = 0.5 * system.box.length[gradient], turning = -0.5 * change;
-  for (int i = 0; i < s.size(); ++i) {
+  const auto predict = [&](std::size_t i) {
+    Vec2 velocity = s.velocity[i];
+    double spin = s.spin[i];
     if (known) {
-      out.velocity[i] += half * system.acceleration.site[i];
-      out.spin[i] += half * system.acceleration.spin[i];
+      velocity += half * system.acceleration.site[i];
+      spin += half * system.acceleration.spin[i];
     }
-    if (!discs) continue;
-    out.velocity[i][flow] += (s.position[i][gradient] - middle) * change;
-    out.spin[i] += turning;
-  }
+    if (discs) {
+      velocity[flow] += (s.position[i][gradient] - middle) * change;
+      spin += turning;
+    }
+    out.velocity[i] = velocity;
+    out.spin[i] = spin;
+  };
+  for_chunks(s.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) predict(i);
+  });
   if (!discs) {
     place_rigid(system, half, out);
     if (change != 0) change_flow(system, change, out);

@@ -1,5 +1,8 @@
 /// Rigid bodies: how a body becomes rigid, where its sites are, and what the forces on its sites do to it.
 #pragma once
+#include <algorithm>
+
+#include "supple/core/parallel.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
@@ -12,16 +15,28 @@ void make_rigid(System<2>& system, int b);
 /// Index in System::rigid of body b; -1: it is not rigid.
 int rigid_index(const System<2>& system, int b);
 
-/// visit(i) for each site that is no part of a rigid body, ascending.
+/// visit(i) for each site in [begin, end) that is no part of a rigid body, ascending.
+template <class Visit>
+void for_sites_apart(const System<2>& system, int begin, int end, const Visit& visit) {
+  const std::vector<std::int32_t>& rigid = system.rigid.body;
+  auto body = std::partition_point(rigid.begin(), rigid.end(),
+                                   [&](std::int32_t b) { return system.topology.body_end(b) <= begin; });
+  for (int i = begin; i < end;) {  // one loop over sites, that compilers make one piece with `visit`
+    const int stop = body == rigid.end() ? end : std::min(end, system.topology.body_begin(*body));
+    for (; i < stop; ++i) visit(i);
+    if (body != rigid.end() && i < end) i = system.topology.body_end(*body++);
+  }
+}
+/// The same for all sites, ascending; or in chunks, which threads share.
 template <class Visit>
 void for_sites_apart(const System<2>& system, const Visit& visit) {
-  const int bodies = system.rigid.size();
-  int i = 0;
-  for (int r = 0; r <= bodies; ++r) {  // one loop over sites, that compilers make one piece with `visit`
-    const int end = r < bodies ? system.topology.body_begin(system.rigid.body[r]) : system.state.size();
-    for (; i < end; ++i) visit(i);
-    if (r < bodies) i = system.topology.body_end(system.rigid.body[r]);
-  }
+  for_sites_apart(system, 0, system.state.size(), visit);
+}
+template <class Visit>
+void share_sites_apart(const System<2>& system, const Visit& visit) {
+  for_chunks(system.state.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    for_sites_apart(system, static_cast<int>(begin), static_cast<int>(end), visit);
+  });
 }
 
 /// Sets positions and velocities of the sites of all rigid bodies from their centres, angles, velocities and

@@ -17,7 +17,7 @@ void hold(System<2>& system) {
   std::uint8_t held = 0;
   for (const Mobility m : s.mobility) held |= static_cast<std::uint8_t>(m);
   if (held == static_cast<std::uint8_t>(Mobility::free)) return;
-  for_sites_apart(system, [&](int i) {
+  share_sites_apart(system, [&](int i) {
     if (s.mobility[i] != Mobility::free)
       s.velocity[i] = plate_velocity(system.box, s.mobility[i], system.box.strain_rate);
   });
@@ -32,7 +32,7 @@ void hold(System<2>& system) {
 
 void kick(System<2>& system, const Evaluation<2>& evaluation, double time) {
   State<2>& s = system.state;
-  for_sites_apart(system, [&](int i) {
+  share_sites_apart(system, [&](int i) {
     if (evaluation.torque[i] != 0) s.spin[i] += time / s.inertia[i] * evaluation.torque[i];  // no vertex
     s.velocity[i] += time / s.mass[i] * evaluation.force[i];
   });
@@ -53,7 +53,7 @@ void accelerate(System<2>& system, const Evaluation<2>& evaluation) {
   const auto n = static_cast<std::size_t>(s.size());
   a.site.resize(n), a.spin.resize(n);
   a.rigid.resize(rigid.body.size()), a.rigid_spin.resize(rigid.body.size());
-  for_sites_apart(system, [&](int i) {
+  share_sites_apart(system, [&](int i) {
     a.spin[i] = evaluation.torque[i] != 0 ? evaluation.torque[i] / s.inertia[i] : 0;  // no vertex
     a.site[i] = s.mobility[i] == Mobility::free ? 1 / s.mass[i] * evaluation.force[i] : Vec2{};
   });
@@ -69,7 +69,7 @@ void push(System<2>& system, double time) {
   State<2>& s = system.state;
   RigidBodies& rigid = system.rigid;
   const Acceleration<2>& a = system.acceleration;
-  for_sites_apart(system, [&](int i) {
+  share_sites_apart(system, [&](int i) {
     s.spin[i] += time * a.spin[i];
     s.velocity[i] += time * a.site[i];
   });
@@ -125,7 +125,7 @@ void change_velocities_of_discs(System<2>& system, const Evaluation<2>& evaluati
                middle = 0.5 * system.box.length[gradient], per_time = 1 / (half_before + half_after);
   const bool changes = change != 0, damps = damping != 1;
   system.box.strain_rate = rate;
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto change_disc = [&](std::size_t i) {
     const bool is_free = s.mobility[i] == Mobility::free;
     double spin = s.spin[i], turn = evaluation.torque[i] != 0 ? evaluation.torque[i] / s.inertia[i] : 0;
     Vec2 v = s.velocity[i], pull = is_free ? 1 / s.mass[i] * evaluation.force[i] : Vec2{};
@@ -151,7 +151,10 @@ void change_velocities_of_discs(System<2>& system, const Evaluation<2>& evaluati
     s.velocity[i] = is_free ? v + half_after * pull : plate_velocity(system.box, s.mobility[i], rate);
     a.spin[i] = damps ? turn + spin_drag : turn;
     a.site[i] = damps ? pull + drag : pull;
-  }
+  };
+  for_chunks(s.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) change_disc(i);
+  });
 }
 
 }  // namespace supple

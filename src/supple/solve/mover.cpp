@@ -23,11 +23,15 @@ std::uint64_t is_not_finite(double x) {
 
 void drift(System<2>& system, double dt) {
   State<2>& s = system.state;
-  std::uint64_t odd = 0;  // 1 from the first value on that is not finite
-  for_sites_apart(system, [&](int i) {
-    s.angle[i] += dt * s.spin[i];
-    s.position[i] += dt * s.velocity[i];
-    odd |= is_not_finite(s.position[i][0] + s.position[i][1] + s.spin[i]);
+  // Values that are not finite, of sites at least.
+  auto odd = sum_chunks<std::uint64_t>(s.size(), [&](std::int64_t begin, std::int64_t end) {
+    std::uint64_t odd_here = 0;
+    for_sites_apart(system, static_cast<int>(begin), static_cast<int>(end), [&](int i) {
+      s.angle[i] += dt * s.spin[i];
+      s.position[i] += dt * s.velocity[i];
+      odd_here |= is_not_finite(s.position[i][0] + s.position[i][1] + s.spin[i]);
+    });
+    return odd_here;
   });
   RigidBodies& rigid = system.rigid;
   for (int r = 0; r < rigid.size(); ++r) {
