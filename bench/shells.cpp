@@ -40,21 +40,6 @@ std::array<double, n> time_per_vertex(const System<2>& system,
   return best;
 }
 
-/// Shells compressed to this packing fraction, moved no more than until overlaps are gone: the contacts are
-/// what they will be.
-Packing compressed_shells(int count, double packing_fraction) {
-  Case c = shell_case(count, vertices);
-  c.bodies.vertex_rule = "equal";
-  Packing p = make_packing(c, nullptr, 0.6);
-  const double factor = std::sqrt(p.covered_area / p.system.box.volume() / packing_fraction);
-  scale_cell(p.system, {factor, factor});
-  p.field->invalidate();
-  p.minimise.method = Minimiser::fire;
-  p.minimise.max_evaluations = 300;
-  relax(p);
-  return p;
-}
-
 /// The packing side by side with copies of itself, so that a large one costs no minimisation.
 System<2> tiled(const System<2>& tile, int times) {
   System<2> system = tile;
@@ -138,6 +123,19 @@ double bytes_per_vertex(double rows) {
 }
 
 }  // namespace
+
+Packing compressed_shells(int count, double packing_fraction) {
+  Case c = shell_case(count, vertices);
+  c.bodies.vertex_rule = "equal";
+  Packing p = make_packing(c, nullptr, 0.6);
+  const double factor = std::sqrt(p.covered_area / p.system.box.volume() / packing_fraction);
+  scale_cell(p.system, {factor, factor});
+  p.field->invalidate();
+  p.minimise.method = Minimiser::fire;
+  p.minimise.max_evaluations = 300;
+  relax(p);
+  return p;
+}
 
 void print_shells(double slower) {
   fmt::print("\nShells of {} vertices: CPU ns per vertex and evaluation (best of repeats)\n", vertices);

@@ -1,77 +1,125 @@
 #include "bench/threads.hpp"
 
 #include <fmt/core.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <csignal>
+#include <functional>
 #include <limits>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "bench/dense_discs.hpp"
+#include "bench/machine.hpp"
+#include "bench/shells.hpp"
+#include "supple/contact/rough_contacts.hpp"
+#include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/force/polygon_shape.hpp"
 
 namespace supple::bench {
 namespace {
 
-/// One thread for each core that computes for nobody while this lives.
+/// One process for each core that computes for nobody while this lives.
 class Load {
  public:
   Load() {
-    for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i)
-      threads_.emplace_back([this] {
-        while (!done_.load(std::memory_order_relaxed)) {
+    for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i) {
+      const pid_t child = fork();
+      if (child == 0)
+        for (volatile bool goes_on = true; goes_on;) {
         }
-      });
+      if (child > 0) children_.push_back(child);
+    }
   }
   ~Load() {
-    done_ = true;
-    for (std::thread& t : threads_) t.join();
+    for (const pid_t child : children_) {
+      kill(child, SIGKILL);
+      waitpid(child, nullptr, 0);
+    }
   }
+  Load(const Load&) = delete;
+  Load& operator=(const Load&) = delete;
 
  private:
-  std::atomic<bool> done_{false};
-  std::vector<std::thread> threads_;
+  std::vector<pid_t> children_;
 };
 
-double wall_seconds(System<2> system, int steps, int threads) {
-  thread_count() = threads;
-  Mover dynamics = dense_dynamics();
+struct Seconds {
+  double wall, cpu;
+};
+
+Seconds seconds_of(const std::function<void()>& work, int threads) {
+  const WithThreads some(threads);
   const auto begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < steps; ++i) {
-    dynamics.evaluate(system, {});
-    dynamics.advance(system, {}, time_step, 1);
-  }
-  thread_count() = 1;
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double cpu = cpu_seconds();
+  work();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+          cpu_seconds() - cpu};
 }
 
-/// Best times of several attempts in turn, relative: two threads over one.
-double two_over_one(const System<2>& start, int steps) {
-  double one = std::numeric_limits<double>::infinity(), two = one;
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    one = std::min(one, wall_seconds(start, steps, 1));
-    two = std::min(two, wall_seconds(start, steps, 2));
-  }
-  return two / one;
+/// Two threads over one: best times of several attempts in turn.
+Seconds two_over_one(const std::function<void()>& work) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  Seconds best[2] = {{never, never}, {never, never}};
+  for (int repeat = 0; repeat < 9; ++repeat)
+    for (int k = 0; k < 2; ++k) {
+      const Seconds took = seconds_of(work, k + 1);
+      best[k] = {std::min(best[k].wall, took.wall), std::min(best[k].cpu, took.cpu)};
+    }
+  return {best[1].wall / best[0].wall, best[1].cpu / best[0].cpu};
+}
+
+void print_ratios(const std::string& name, const std::function<void()>& work) {
+  work();
+  const Seconds quiet = two_over_one(work);
+  const Load load;
+  const Seconds busy = two_over_one(work);
+  fmt::print("  {:<32}  {:>10.2f}  {:>4.2f}  {:>9.2f}  {:>4.2f}\n", name, quiet.wall, quiet.cpu, busy.wall,
+             busy.cpu);
+}
+
+void print_steps(int discs) {
+  DenseSpec spec;
+  spec.discs = discs;
+  System<2> system = dense_discs(spec);
+  Mover dynamics = dense_dynamics();
+  print_ratios(fmt::format("{} discs, steps", discs), [&, steps = std::max(2'000'000 / discs, 20)] {
+    for (int i = 0; i < steps; ++i) {
+      dynamics.evaluate(system, {});
+      dynamics.advance(system, {}, time_step, 1);
+    }
+  });
+}
+
+/// Forces of 1024 shells where they jam.
+void print_forces(const std::string& name, const System<2>& start, const BodyContacts& contacts) {
+  System<2> system = start;
+  ForceField field(contacts);
+  field.terms().add(std::make_shared<PolygonShape>());
+  Evaluation<2> out;
+  print_ratios(name, [&] {
+    for (int i = 0; i < 300; ++i) field.evaluate(system, Detail::forces, out);
+  });
 }
 
 }  // namespace
 
 void print_threads() {
-  fmt::print("\nWall time with two threads over that with one, dense discs (best of five, in turn)\n");
-  fmt::print("  {:>7}  {:>8}  {:>8}   busy: one thread of another program on each of {} cores\n", "discs",
-             "quiet", "busy", std::thread::hardware_concurrency());
-  for (const int discs : {1500, 10000, 100000}) {
-    DenseSpec spec;
-    spec.discs = discs;
-    const System<2> start = dense_discs(spec);
-    const int steps = std::max(4'000'000 / discs, 40);
-    const double quiet = two_over_one(start, steps);
-    const Load load;
-    fmt::print("  {:>7}  {:>8.2f}  {:>8.2f}\n", discs, quiet, two_over_one(start, steps));
-  }
+  fmt::print(
+      "\nTwo threads over one (best of nine, in turn); busy: a thread of another program on each of {} "
+      "cores\n",
+      std::thread::hardware_concurrency());
+  fmt::print("  {:<32}  quiet wall   CPU  busy wall   CPU\n", "");
+  for (const int discs : {1500, 10000, 100000}) print_steps(discs);
+  const Packing shells = compressed_shells(1024, 0.85);
+  const ContactLaws laws = shells.field->bodies()->laws();
+  print_forces("1024 shells, forces, rough", shells.system, RoughContacts(laws));
+  print_forces("1024 shells, forces, smooth", shells.system, SmoothContacts(laws));
 }
 
 }  // namespace supple::bench

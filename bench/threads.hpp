@@ -3,7 +3,7 @@
 
 namespace supple::bench {
 
-/// Wall time of steps of dense discs with one and two threads, in turn.
+/// Wall and CPU time of steps of dense discs and of forces of shells, with one and two threads in turn.
 void print_threads();
 
 }  // namespace supple::bench
