@@ -248,6 +248,45 @@ void scan(const Store& store, Case c, const Ensemble& main, double published) {
              show(all.ratio_at(published), 2));
 }
 
+/// The same ensemble by the search along the packing fraction, which never comes far above the onset.
+void compare_searches(const Store& store, Case c, const Ensemble& main) {
+  c.jamming.search = "root";
+  const Ensemble root(main.name() + "-root", store, c, disc_packings, highest_excess, Area::sum,
+                      Protocol::search);
+  if (root.size() >= 2) print_row(root, c.bodies.count);
+  fmt::print("\n");
+}
+
+/// One thing changed in a case.
+struct Variation {
+  const char *family, *name;
+  int packings;
+  void (*change)(Case&);
+};
+constexpr Variation variations[] = {
+    {"rough_discs", "rough_discs, N = 64", 10, [](Case& c) { c.bodies.count = 64; }},
+    {"rough_discs", "rough_discs, from 0.6 by the chapter's steps of 0.001", 10,
+     [](Case& c) {
+       c.jamming.packing_fraction = 0.6;
+       c.jamming.step = 0.001;
+     }},
+    {"shells", "shells, N = 128", 9, [](Case& c) { c.bodies.count = 128; }},
+    {"shells", "shells, k_c = 0.003: nearly rigid", 9, [](Case& c) { c.contact.k_c = 0.003; }}};
+
+void vary(const Store& store, const std::string& cases) {
+  fmt::print("| | packings | first jam | mean onset |\n|---|---|---|---|\n");
+  int number = 0;
+  for (const Variation& v : variations) {
+    Case c = read_case(fmt::format("{}/{}.toml", cases, v.family));
+    v.change(c);
+    const Ensemble e(fmt::format("{}-varied-{}", v.family, ++number), store, c, v.packings, 0.01,
+                     Area::covered, Protocol::steps);
+    if (e.size() < 2) continue;
+    fmt::print("| {} | {} | {} | {} |\n", v.name, e.size(), show(e.first(), 4), show(e.onset(), 4));
+    std::fflush(stdout);
+  }
+}
+
 int run(const std::string& cases, const std::string& out, Store::Missing missing) {
   const Store store(out + "/packings", missing);
   std::vector<PressureSeries> fractions, scaled;
@@ -261,11 +300,12 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
     fractions.push_back(mean_curve(e, label, {e.zero().value, e.slope().value}));
     scaled.push_back(mean_curve(e, label, {e.onset().value, e.slope().value}));
     if (protocol == Protocol::steps) scan(store, c, e, published);
-    else fmt::print("\n");
+    else compare_searches(store, c, e);
   };
-  study("discs", "smooth discs, P σ²/k_c", disc_packings, Area::sum, Protocol::root, 0.836);
+  study("discs", "smooth discs, P σ²/k_c", disc_packings, Area::sum, Protocol::search, 0.836);
   study("rough_discs", "rough discs, P σ²/k_c", rough_packings, Area::covered, Protocol::steps, 0.79);
   study("shells", "shells, P/(k_a a0)", shell_packings, Area::covered, Protocol::steps, 0.783);
+  vary(store, cases);
   draw_pressure_plot(out + "/jamming_onset.png", fractions);
   draw_pressure_plot(out + "/scaling.png", scaled, {.axes = PressureAxes::log_excess});
   return 0;
@@ -275,7 +315,7 @@ int run(const std::string& cases, const std::string& out, Store::Missing missing
 int check(const std::string& cases) {
   const Case c = read_case(cases + "/discs.toml");
   const Ensemble e("discs", Store("", Store::Missing::make), c, disc_packings, highest_excess, Area::sum,
-                   Protocol::root);
+                   Protocol::search);
   if (e.size() < 2) return 1;
   fmt::print("{}", heading);
   print_row(e, c.bodies.count);

@@ -18,11 +18,11 @@ namespace supple {
 /// Which packing fraction counts: the sum of all areas, as is usual for discs, or what is covered.
 enum class Area { sum, covered };
 
-/// How a packing is made. root: the search of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and
+/// How a packing is made. search: that of `supple run`, to 1 < P/P_t < 1.01. steps: by jamming.step, and
 /// back and by a quarter where P exceeds P_t, until a step below 1e-3 does; a packing that comes apart within
 /// 0.01 of there is sought anew. Rough particles hold by their corners: many packings have no state of low
 /// pressure, but break on the way down to it.
-enum class Protocol { root, steps };
+enum class Protocol { search, steps };
 
 /// One packing from its onset upward.
 struct PressureCurve {
@@ -55,7 +55,7 @@ class Measurement {
   PressureCurve run(double highest) {
     try {
       Packing packing = make_packing(c_, nullptr, c_.jamming.packing_fraction);
-      protocol_ == Protocol::root ? start_by_root(packing) : start_by_steps(packing);
+      protocol_ == Protocol::search ? start_by_search(packing) : start_by_steps(packing);
       curve_.first = curve_.onset;
       const std::vector<double> list = excesses(highest);
       for (std::size_t k = 0; k < list.size(); ++k) {
@@ -80,7 +80,7 @@ class Measurement {
   /// Packing fractions above the onset, by steps that the packing follows.
   std::vector<double> excesses(double highest) const {
     std::vector<double> list;
-    if (protocol_ == Protocol::root) {
+    if (protocol_ == Protocol::search) {
       for (int k = 0; k < 5; ++k) list.push_back(1e-4 * std::pow(10, k / 4.0));
       for (double x = 2e-3; x < highest + 1e-6; x += 2e-3) list.push_back(x);
     } else {
@@ -91,7 +91,7 @@ class Measurement {
     return list;
   }
 
-  void start_by_root(Packing& packing) {
+  void start_by_search(Packing& packing) {
     curve_.unconverged = jam(packing, jam_spec(c_)).unconverged;
     start_curve(packing);
   }
