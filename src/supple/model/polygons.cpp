@@ -6,39 +6,11 @@
 #include <numbers>
 
 #include "supple/core/error.hpp"
+#include "supple/model/add_sites.hpp"
 
 namespace supple {
 
 using std::numbers::pi;
-
-namespace {
-
-/// Begins the lists of bodies of a system that has none yet.
-void begin_bodies(System<2>& system) {
-  Topology<2>& t = system.topology;
-  if (!t.begin.empty()) return;
-  if (system.state.size() > 0)
-    throw input_error("cannot add a body to these sites", "each of them is a body of its own",
-                      "add all bodies in one way");
-  t.begin = t.facet_begin = t.hinge_begin = {0};
-  system.pairs.width = 0;  // conservative contacts remember nothing
-}
-
-void add_sites(System<2>& system, const std::vector<Vec2>& position, double radius) {
-  State<2>& s = system.state;
-  const int first = s.size();
-  s.resize(first + static_cast<int>(position.size()));
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    const std::size_t i = static_cast<std::size_t>(first) + k;
-    s.position[i] = position[k];
-    s.radius[i] = radius;
-    s.mass[i] = 1;
-    s.inertia[i] = 0.5 * radius * radius;
-  }
-  system.topology.begin.push_back(s.size());
-}
-
-}  // namespace
 
 double least_shape_parameter(int n) { return n * std::tan(pi / n) / pi; }
 
@@ -76,13 +48,7 @@ void add_ring(System<2>& system, const std::vector<Vec2>& vertices, double radiu
 }
 
 void add_disc_body(System<2>& system, const Vec2& centre, double radius) {
-  begin_bodies(system);
-  add_sites(system, {centre}, radius);
-  Topology<2>& t = system.topology;
-  t.facet_begin.push_back(t.facet_begin.back());
-  t.hinge_begin.push_back(t.hinge_begin.back());
-  system.shape.stiffness.push_back({});
-  system.shape.rest_volume.push_back(0);
+  add_round_body(system, centre, radius);
 }
 
 void add_polygon(System<2>& system, const Vec2& centre, double a0, int n, double angle, double diameter_ratio,

@@ -1,0 +1,56 @@
+/// Builders of deformable particles in 3D: closed triangulated surfaces and their preferred shapes.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "supple/model/polygons.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Vertices [length] and triangles, each counter-clockwise as seen from outside.
+struct TriangleMesh {
+  std::vector<Vec3> vertex;
+  std::vector<std::array<std::int32_t, 3>> face;
+};
+
+/// A geodesic icosahedron: the triangles of an icosahedron cut into four again and again, all vertices on one
+/// sphere about the origin, with this enclosed volume [length^3]. `vertices` is 12, 42, 162, 642 or a later
+/// 10 * 4^k + 2; input error with the nearest of them otherwise.
+TriangleMesh geodesic_icosahedron(int vertices, double volume = 1);
+
+/// Volume that a mesh encloses [length^3], positive where its triangles look outward; area of each triangle
+/// [length^2]; angle of each hinge (hinges_of) [radian].
+double enclosed_volume(const TriangleMesh& mesh);
+std::vector<double> face_areas(const TriangleMesh& mesh);
+std::vector<double> hinge_angles(const TriangleMesh& mesh);
+/// Mean length of the edges [length].
+double mean_edge(const TriangleMesh& mesh);
+
+/// The hinges of a closed mesh, in the order of its triangles and of their edges: for the edge a b of the
+/// triangle (a, b, c), a < b, the sites (a, b, c, d) with d the corner of the triangle on the other side.
+/// Input error where an edge does not belong to exactly two triangles, once in each direction.
+std::vector<std::array<std::int32_t, 4>> hinges_of(const TriangleMesh& mesh);
+
+/// s^1.5/(6 sqrt(pi) v) of a surface of area s that encloses v: 1 for a sphere [MacKeith 2025, section 9.2].
+double surface_shape_parameter(double area, double volume);
+
+/// Adds the surface as it is, vertices of mass 1 and this radius [length], with rest volume [length^3], rest
+/// area of each triangle [length^2] and rest angle of each hinge [radian] of its own. Input error where lists
+/// differ in length or the mesh is not closed.
+void add_surface(System<3>& system, const TriangleMesh& mesh, double radius, const ShapeStiffness& stiffness,
+                 double rest_volume, const std::vector<double>& rest_area,
+                 const std::vector<double>& rest_angle);
+
+/// Adds the surface with the preferred shape that `shape` says: its own volume v0 and angles, and its own
+/// areas, scaled where shape.shape_parameter asks for another s0^1.5/(6 sqrt(pi) v0). `shape.area`, k_v, is
+/// of the volume, `shape.length`, k_a, of the triangles. Relative stiffnesses: (k_v/2)(v/v0 - 1)^2, (k_a/2)
+/// sum (a - a0)^2/<a0>^2 with the mean <a0> over triangles, gamma s/s0. Vertices have the diameter sigma =
+/// `diameter_ratio` times the mean edge.
+void add_surface(System<3>& system, const TriangleMesh& mesh, double diameter_ratio, const ShapeSpec& shape);
+
+/// Adds a smooth sphere: a body of one site of mass 1.
+void add_sphere_body(System<3>& system, const Vec3& centre, double radius);
+
+}  // namespace supple
