@@ -41,7 +41,7 @@ void number_in_space(State<2>& s, double cell) {
 void relax(System<2>& system) {
   DiscLaw law = dense_law();
   law.friction = 0;
-  Mover dynamics{ForceField(DiscContacts(Divergent(0), law))};
+  Mover dynamics{ForceField<2>(DiscContacts(Divergent(0), law))};
   for (int step = 0; step < 1000; ++step) {
     dynamics.evaluate(system, {});
     dynamics.advance(system, {}, 0.1, 0.9);
@@ -69,7 +69,7 @@ DiscLaw dense_law() {
 }
 
 Mover dense_dynamics(double relative_skin) {
-  return Mover(ForceField(DiscContacts(Divergent(0), dense_law()), relative_skin));
+  return Mover(ForceField<2>(DiscContacts(Divergent(0), dense_law()), relative_skin));
 }
 
 System<2> dense_discs(const DenseSpec& spec) {

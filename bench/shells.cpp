@@ -78,7 +78,7 @@ System<2> tiled(const System<2>& tile, int times) {
 
 /// Nanoseconds per vertex of an iteration of FIRE, evaluation included; from a copy of the packing.
 double time_iteration(Packing p) {
-  BodyObjective objective(p.system, *p.field, {0, 0});
+  BodyObjective<2> objective(p.system, *p.field, {0, 0});
   std::vector<double> x = objective.coordinates();
   MinimiseSpec spec = p.minimise;
   spec.max_evaluations = 300;
@@ -160,7 +160,7 @@ void print_shell_sizes() {
   for (const auto& [tile, times] :
        {std::pair{&five, 1}, {&fifty, 1}, {&fifty, 3}, {&fifty, 10}, {&fifty, 32}}) {
     System<2> system = tiled(tile->system, times);
-    ForceField field(RoughContacts{tile->field->bodies()->laws()});
+    ForceField<2> field(RoughContacts<2>{tile->field->bodies()->laws()});
     field.terms().add(std::make_shared<PolygonShape>());
     Evaluation<2> out;
     const double start = cpu_seconds();

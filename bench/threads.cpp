@@ -97,9 +97,9 @@ void print_steps(int discs) {
 }
 
 /// Forces of 1024 shells where they jam.
-void print_forces(const std::string& name, const System<2>& start, const BodyContacts& contacts) {
+void print_forces(const std::string& name, const System<2>& start, const BodyContacts<2>& contacts) {
   System<2> system = start;
-  ForceField field(contacts);
+  ForceField<2> field(contacts);
   field.terms().add(std::make_shared<PolygonShape>());
   Evaluation<2> out;
   print_ratios(name, [&] {
@@ -118,7 +118,7 @@ void print_threads() {
   for (const int discs : {1500, 10000, 100000}) print_steps(discs);
   const Packing shells = compressed_shells(1024, 0.85);
   const ContactLaws laws = shells.field->bodies()->laws();
-  print_forces("1024 shells, forces, rough", shells.system, RoughContacts(laws));
+  print_forces("1024 shells, forces, rough", shells.system, RoughContacts<2>(laws));
   print_forces("1024 shells, forces, smooth", shells.system, SmoothContacts(laws));
 }
 

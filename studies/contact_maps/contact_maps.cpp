@@ -49,7 +49,7 @@ class Map {
  public:
   Map()
       : ring_(particle()),
-        rough_(std::make_shared<RoughContacts>(Harmonic{1})),
+        rough_(std::make_shared<RoughContacts<2>>(Harmonic{1})),
         smooth_(std::make_shared<SmoothContacts>(Harmonic{1})) {
     system_.box.length = {20, 20};
     system_.box.periodic = {false, false};
@@ -68,7 +68,7 @@ class Map {
       return d < sigma ? reduced(0.5 * (sigma - d) * (sigma - d), (sigma - d) / d * r) : Felt{};
     }
     system_.state.position.back() = p;
-    BodyContacts& contacts = panel == rough ? static_cast<BodyContacts&>(*rough_) : *smooth_;
+    BodyContacts<2>& contacts = panel == rough ? static_cast<BodyContacts<2>&>(*rough_) : *smooth_;
     NeighborList<2>& list = panel == rough ? rough_list_ : smooth_list_;
     list.invalidate();
     list.update(system_);
@@ -108,7 +108,7 @@ class Map {
 
   std::vector<Vec2> ring_;
   System<2> system_;
-  std::shared_ptr<RoughContacts> rough_;
+  std::shared_ptr<RoughContacts<2>> rough_;
   std::shared_ptr<SmoothContacts> smooth_;
   NeighborList<2> rough_list_{default_skin, Meeting::sites}, smooth_list_{default_skin, Meeting::facets};
 };

@@ -41,13 +41,13 @@ TEST(AdhesiveLaw, FieldOfPolygonsHoldsWhatEveryFieldMust) {
       System<2> system = random_polygons({.seed = seed});
       add_disc_body(system, {1.1, 1.3}, 0.6);
       const BodyLaw law{Harmonic{2, seed == 2}, Adhesive(0.35)};
-      std::shared_ptr<BodyContacts> contacts;
+      std::shared_ptr<BodyContacts<2>> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(law);
-      else contacts = std::make_shared<RoughContacts>(law);
-      ForceField field = polygon_field(*contacts);
+      else contacts = std::make_shared<RoughContacts<2>>(law);
+      ForceField<2> field = polygon_field(*contacts);
       FieldCheck(field, system).run();
       int pulling = 0;
-      for (const BodyTouch& t : sum_touches(system, contacts->records(system), law))
+      for (const BodyTouch<2>& t : sum_touches(system, contacts->records(system), law))
         pulling += t.normal_force() < 0;
       EXPECT_GT(pulling, 5);
     }
@@ -56,10 +56,10 @@ TEST(AdhesiveLaw, FieldOfPolygonsHoldsWhatEveryFieldMust) {
 TEST(AdhesiveLaw, FastLoopsEqualTheirRecords) {
   for (const bool smooth : {false, true}) {
     System<2> system = random_polygons({.bodies = 30});
-    std::shared_ptr<BodyContacts> contacts;
+    std::shared_ptr<BodyContacts<2>> contacts;
     if (smooth) contacts = std::make_shared<SmoothContacts>(sticky());
-    else contacts = std::make_shared<RoughContacts>(sticky());
-    ForceField field(*contacts);
+    else contacts = std::make_shared<RoughContacts<2>>(sticky());
+    ForceField<2> field(*contacts);
     Evaluation<2> fast, slow;
     field.evaluate(system, Detail::energies, fast);
     slow.force.resize(fast.force.size());
@@ -74,7 +74,7 @@ TEST(AdhesiveLaw, FastLoopsEqualTheirRecords) {
 /// Two sites at a distance, of every kind that may meet.
 struct Pair {
   std::string name;
-  std::function<ForceField()> field;
+  std::function<ForceField<2>()> field;
   std::function<System<2>(double)> at;
 };
 
@@ -106,14 +106,14 @@ std::vector<Pair> all_pairs() {
   };
   const auto body_field = []<class Contacts>(std::type_identity<Contacts>) {
     // No skin: the list reaches out to the range by itself.
-    return [] { return ForceField(Contacts(sticky()), 1e-9); };
+    return [] { return ForceField<2>(Contacts(sticky()), 1e-9); };
   };
   return {{"discs",
            [] {
-             return ForceField(DiscContacts(Adhesive(w), DiscLaw{{k}, {}, Tensile{}}), 1e-9);
+             return ForceField<2>(DiscContacts(Adhesive(w), DiscLaw{{k}, {}, Tensile{}}), 1e-9);
            },
            discs},
-          {"rough", body_field(std::type_identity<RoughContacts>{}), bodies},
+          {"rough", body_field(std::type_identity<RoughContacts<2>>{}), bodies},
           {"smooth", body_field(std::type_identity<SmoothContacts>{}), bodies},
           {"on an edge", body_field(std::type_identity<SmoothContacts>{}), on_edge}};
 }
@@ -122,7 +122,7 @@ TEST(AdhesiveLaw, NeighbourListReachesOutToTheRange) {
   for (const Pair& pair : all_pairs())
     for (const double d : {0.9, 1.05, 1.2, 1.29, 1.2999, 1.3001, 1.5}) {
       SCOPED_TRACE(pair.name);
-      ForceField field = pair.field();
+      ForceField<2> field = pair.field();
       System<2> system = pair.at(d);
       Evaluation<2> out;
       field.evaluate(system, Detail::energies, out);
@@ -140,7 +140,7 @@ TEST(AdhesiveLaw, MotionThroughTheWellKeepsEnergyAndMomentum) {
   for (const Pair& pair : all_pairs())
     for (const double speed : {0.0, 1.5}) {
       SCOPED_TRACE(pair.name);
-      ForceField field = pair.field();
+      ForceField<2> field = pair.field();
       System<2> system = pair.at(speed > 0 ? 1.4 : 1.15);
       const bool edge = pair.name == "on an edge";
       State<2>& s = system.state;
@@ -186,7 +186,7 @@ TEST(AdhesiveLaw, TouchesThatPullDoNotRub) {
   t.contacts = std::make_shared<SmoothContacts>(sticky(100));
   for (const double v : {0.5, -0.5}) {
     t.system.state.velocity.back() = {2, v};  // away from the edge where v < 0
-    ForceField bare(*t.contacts), field = t.field({.friction = 0.5, .k_t = 40, .eta = 3, .eta_t = 2});
+    ForceField<2> bare(*t.contacts), field = t.field({.friction = 0.5, .k_t = 40, .eta = 3, .eta_t = 2});
     Evaluation<2> without, with;
     bare.evaluate(t.system, Detail::energies, without);
     field.evaluate(t.system, Detail::energies, with);
@@ -210,7 +210,7 @@ TEST(AdhesiveLaw, NormalOfATouchPointsOutwardAlsoWhereItPulls) {
     Touching t = touching<SmoothContacts>("", square, {1.5, -height}, Toucher::disc);
     t.contacts = std::make_shared<SmoothContacts>(sticky(100));
     t.system.state.velocity.back() = {2, 0};
-    ForceField field = t.field({.friction = 1e9, .eta_t = 2});
+    ForceField<2> field = t.field({.friction = 1e9, .eta_t = 2});
     Evaluation<2> out;
     field.evaluate(t.system, Detail::energies, out);
     EXPECT_EQ(out.force.back()[0] < -1, height < 1.2);

@@ -151,8 +151,8 @@ void expect_all_images_of_bodies(const Vec2& length) {
   EXPECT_GT(largest, 0.1);
 }
 
-TEST(AllImages, RoughBodiesThatBarelyFit) { expect_all_images_of_bodies<RoughContacts>({2.8, 2.8}); }
-TEST(AllImages, RoughBodiesInAFlatCell) { expect_all_images_of_bodies<RoughContacts>({7, 2.8}); }
+TEST(AllImages, RoughBodiesThatBarelyFit) { expect_all_images_of_bodies<RoughContacts<2>>({2.8, 2.8}); }
+TEST(AllImages, RoughBodiesInAFlatCell) { expect_all_images_of_bodies<RoughContacts<2>>({7, 2.8}); }
 TEST(AllImages, SmoothBodiesThatBarelyFit) { expect_all_images_of_bodies<SmoothContacts>({3.4, 3.4}); }
 TEST(AllImages, SmoothBodiesInAFlatCell) { expect_all_images_of_bodies<SmoothContacts>({7, 3.4}); }
 
@@ -189,7 +189,7 @@ System<2> moving_discs(double width) {
 
 TEST(AllImages, RoughDiscsThatMoveInASmallCell) {
   for (const double width : {4.01, 4.12, 4.36, 4.9})
-    expect_all_images_on_the_way<RoughContacts>(moving_discs(width));
+    expect_all_images_on_the_way<RoughContacts<2>>(moving_discs(width));
 }
 TEST(AllImages, SmoothDiscsThatMoveInASmallCell) {
   for (const double width : {4.01, 4.12, 4.36, 4.9})

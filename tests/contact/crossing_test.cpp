@@ -17,7 +17,7 @@ using namespace testing;
 struct Pair {
   std::string name;
   System<2> system;
-  std::function<ForceField()> field;
+  std::function<ForceField<2>()> field;
 };
 
 const TouchLaw law{.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2, .pull = ViscousPull::allowed};
@@ -38,19 +38,19 @@ std::vector<Pair> all_pairs() {
     for (Vec2& x : ring) x += Vec2{22, 17};
     add_body(s, ring, 0.4);
     add_body(s, {{22.3, 18.9}, {23.2, 20.2}, {21.4, 20.4}}, 0.4);
-    const auto contacts = [smooth]() -> std::shared_ptr<BodyContacts> {
+    const auto contacts = [smooth]() -> std::shared_ptr<BodyContacts<2>> {
       if (smooth) return std::make_shared<SmoothContacts>(Harmonic{100});
-      return std::make_shared<RoughContacts>(Harmonic{100});
+      return std::make_shared<RoughContacts<2>>(Harmonic{100});
     };
     pairs.push_back({smooth ? "vertex on boundary" : "vertex on vertex", s, [contacts] {
                        const auto c = contacts();
-                       ForceField field(*c);
+                       ForceField<2> field(*c);
                        field.add(TouchFriction(law));
                        return field;
                      }});
     s.links = {{3, 12, {}, 1, 0}, {4, 13, {}, 2, 0}};
     pairs.push_back({smooth ? "links, smooth" : "links, rough", s, [contacts] {
-                       ForceField field(*contacts());
+                       ForceField<2> field(*contacts());
                        field.add(LinkForces(LinkLaw{30, 1, 20, 1}));
                        return field;
                      }});
@@ -60,7 +60,7 @@ std::vector<Pair> all_pairs() {
   s.state.radius = {1, 0.8};
   s.state.position = {{23, 17.5}, {23.6, 19.1}};
   pairs.push_back({"discs", s, [] {
-                     return ForceField(DiscContacts(Divergent(0), {{100, 3, 40, 2}, {}, Tensile{}, 1e9}));
+                     return ForceField<2>(DiscContacts(Divergent(0), {{100, 3, 40, 2}, {}, Tensile{}, 1e9}));
                    }});
   return pairs;
 }
@@ -89,14 +89,14 @@ TEST(Crossing, OfTheShearedBoundaryContinuesEveryElongation) {
                                0.02 * Vec2{draw.uniform(-1, 1), draw.uniform(-1, 1)};
         s->state.spin[i] = 0.1;
       }
-    ForceField field = pair.field(), open_field = pair.field();
+    ForceField<2> field = pair.field(), open_field = pair.field();
     Evaluation<2> out;
     const double dt = 0.01;
     double worst = 0, largest = 0;
     int crossings = 0;
     for (int step = 0; step < 300; ++step) {
       for (System<2>* s : {&in_cell, &anywhere}) {
-        ForceField& f = s == &in_cell ? field : open_field;
+        ForceField<2>& f = s == &in_cell ? field : open_field;
         f.evaluate(*s, Detail::energies, out);
         f.commit(*s, out);
         for (int i = 0; i < s->state.size(); ++i) s->state.position[i] += dt * s->state.velocity[i];

@@ -33,9 +33,9 @@ System<2> mixture(std::uint64_t seed = 1, int bodies = 9) {
   return system;
 }
 
-std::shared_ptr<BodyContacts> contacts_of(bool smooth, const ContactLaws& laws) {
+std::shared_ptr<BodyContacts<2>> contacts_of(bool smooth, const ContactLaws& laws) {
   if (smooth) return std::make_shared<SmoothContacts>(laws);
-  return std::make_shared<RoughContacts>(laws);
+  return std::make_shared<RoughContacts<2>>(laws);
 }
 
 TEST(LawsOfSpecies, TableIsSymmetricAndHasTheCommonLawElsewhere) {
@@ -62,7 +62,7 @@ TEST(LawsOfSpecies, FieldHoldsWhatEveryFieldMust) {
     for (const std::uint64_t seed : {1, 2}) {
       SCOPED_TRACE(seed);
       System<2> system = mixture(seed);
-      ForceField field = polygon_field(*contacts_of(smooth, unlike(seed == 2)));
+      ForceField<2> field = polygon_field(*contacts_of(smooth, unlike(seed == 2)));
       FieldCheck(field, system).run();
     }
 }
@@ -71,7 +71,7 @@ TEST(LawsOfSpecies, FastLoopsEqualTheirRecords) {
   for (const bool smooth : {false, true}) {
     System<2> system = mixture(3, 30);
     const auto contacts = contacts_of(smooth, unlike());
-    ForceField field(*contacts);
+    ForceField<2> field(*contacts);
     Evaluation<2> fast, slow;
     field.evaluate(system, Detail::energies, fast);
     slow.force.resize(fast.force.size());
@@ -99,8 +99,8 @@ TEST(LawsOfSpecies, EqualLawsGiveTheBitsOfOneLaw) {
     ContactLaws same = Harmonic{2};
     for (int a = 0; a < 3; ++a) same.set(a, 2, Harmonic{2});
     Evaluation<2> one, each;
-    ForceField(*contacts_of(smooth, Harmonic{2})).evaluate(system, Detail::energies, one);
-    ForceField(*contacts_of(smooth, same)).evaluate(system, Detail::energies, each);
+    ForceField<2>(*contacts_of(smooth, Harmonic{2})).evaluate(system, Detail::energies, one);
+    ForceField<2>(*contacts_of(smooth, same)).evaluate(system, Detail::energies, each);
     EXPECT_EQ(one.force, each.force);
     EXPECT_EQ(one.energy.elastic, each.energy.elastic);
     for (int i = 0; i < 4; ++i) EXPECT_EQ(one.virial[i / 2][i % 2], each.virial[i / 2][i % 2]);
@@ -109,8 +109,8 @@ TEST(LawsOfSpecies, EqualLawsGiveTheBitsOfOneLaw) {
     turned.set(1, 0, {Harmonic{3}, Adhesive(0.35)});
     turned.set(1, 1, Harmonic{0.7});
     turned.set(0, 2, {Harmonic{1.3}, Hertz()});
-    ForceField(*contacts_of(smooth, unlike())).evaluate(system, Detail::energies, one);
-    ForceField(*contacts_of(smooth, turned)).evaluate(system, Detail::energies, each);
+    ForceField<2>(*contacts_of(smooth, unlike())).evaluate(system, Detail::energies, one);
+    ForceField<2>(*contacts_of(smooth, turned)).evaluate(system, Detail::energies, each);
     EXPECT_EQ(one.force, each.force);
   }
 }
@@ -120,9 +120,9 @@ TEST(LawsOfSpecies, GiveTheSameBitsForOneAndTwoThreads) {
   const int before = thread_count();
   Evaluation<2> one, two;
   thread_count() = 1;
-  ForceField(*contacts_of(false, unlike())).evaluate(system, Detail::energies, one);
+  ForceField<2>(*contacts_of(false, unlike())).evaluate(system, Detail::energies, one);
   thread_count() = 2;
-  ForceField(*contacts_of(false, unlike())).evaluate(system, Detail::energies, two);
+  ForceField<2>(*contacts_of(false, unlike())).evaluate(system, Detail::energies, two);
   thread_count() = before;
   EXPECT_EQ(one.force, two.force);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(one.virial[i / 2][i % 2], two.virial[i / 2][i % 2]);
@@ -147,7 +147,7 @@ TEST(LawsOfSpecies, TwoUnlikeParticlesAreThoseOfTheClosedForm) {
             else add_disc_body(system, {10.2, 5}, 0.5);
             add_disc_body(system, {10.2, 5 - at}, 0.5);
             system.species = {a, b};
-            ForceField field(*contacts_of(smooth, laws), 1e-9);
+            ForceField<2> field(*contacts_of(smooth, laws), 1e-9);
             Evaluation<2> out;
             field.evaluate(system, Detail::energies, out);
             const bool sticky = a + b == 1;
@@ -175,7 +175,7 @@ TEST(LawsOfSpecies, FrictionIsThatOfThePair) {
       System<2> system = t.system;
       system.species = std::move(species);
       system.lag = 0.01;
-      ForceField field(*t.contacts);
+      ForceField<2> field(*t.contacts);
       field.add(TouchFriction(law));
       Evaluation<2> out;
       field.evaluate(system, Detail::energies, out);
@@ -198,14 +198,14 @@ TEST(LawsOfSpecies, ContactThatOpensLosesTheSpringOfThePair) {
   system.box.length = {60, 60};
   add_disc_body(system, {5, 5}, 0.5);
   add_disc_body(system, {7, 5}, 0.5);
-  const auto contacts = std::make_shared<RoughContacts>(Harmonic{1});
+  const auto contacts = std::make_shared<RoughContacts<2>>(Harmonic{1});
   LawTable<TouchLaw> laws = TouchLaw{.friction = 1, .k_t = 40};
   laws.set(0, 1, {.friction = 1, .k_t = 8});
   for (const auto& [species, k_t] : {std::pair{std::vector{1, 0}, 8.}, {{1, 1}, 40.}}) {
     system.species = species;
     system.touches.rows = {{{1, 0, TouchOn::site, {}}, ContactState::stick, 0.2}};
     system.lag = 0.5;
-    ForceField field(*contacts);
+    ForceField<2> field(*contacts);
     field.add(TouchFriction(laws));
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
@@ -216,7 +216,7 @@ TEST(LawsOfSpecies, ContactThatOpensLosesTheSpringOfThePair) {
 TEST(LawsOfSpecies, EnergyOfUnlikeParticlesThatRubGoesWhereTheBooksSay) {
   for (const bool smooth : {false, true}) {
     Touching t = smooth ? touching<SmoothContacts>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex)
-                        : touching<RoughContacts>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex);
+                        : touching<RoughContacts<2>>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex);
     t.system.species = {0, 1};
     ContactLaws elastic = Harmonic{3000};
     elastic.set(0, 1, Harmonic{200});
@@ -227,7 +227,7 @@ TEST(LawsOfSpecies, EnergyOfUnlikeParticlesThatRubGoesWhereTheBooksSay) {
       system.state.velocity[i] = {-0.6, 0.8};
     LawTable<TouchLaw> rub = TouchLaw{5, 900, 0, 0};
     rub.set(1, 0, {0.3, 50, 0.3, 0.2});
-    ForceField field(*t.contacts);
+    ForceField<2> field(*t.contacts);
     field.add(TouchFriction(rub));
     const EnergyCheck coarse = check_energy(system, field, 4e-4, 0.6),
                       fine = check_energy(system, field, 5e-5, 0.6);
@@ -248,7 +248,7 @@ TEST(LawsOfSpecies, LinkIsThatOfThePair) {
   for (const auto& [species, k] :
        {std::pair{std::vector{0, 1}, 7.}, {{1, 0}, 7.}, {{0, 0}, 100.}, {{1, 1}, 100.}}) {
     system.species = species;
-    ForceField field(RoughContacts(Harmonic{1}));
+    ForceField<2> field(RoughContacts<2>(Harmonic{1}));
     field.add(LinkForces(laws));
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
@@ -264,10 +264,10 @@ TEST(LawsOfSpecies, StiffestPairBoundsTheStep) {
   add_disc_body(system, {5, 5}, 0.5);
   add_disc_body(system, {15, 5}, 0.5);
   system.species = {0, 1};
-  ForceField soft(RoughContacts(Harmonic{1}));
+  ForceField<2> soft(RoughContacts<2>(Harmonic{1}));
   ContactLaws laws = Harmonic{1};
   laws.set(0, 1, Harmonic{400});
-  ForceField stiff(RoughContacts{laws});
+  ForceField<2> stiff(RoughContacts<2>{laws});
   EXPECT_NEAR(frequency_bound(system, stiff), 20 * frequency_bound(system, soft), 1e-9);
 }
 

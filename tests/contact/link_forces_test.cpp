@@ -24,7 +24,7 @@ Evaluation<2> links_alone(const System<2>& system, const LinkLaw& law) {
   Evaluation<2> out;
   out.force.resize(static_cast<std::size_t>(system.state.size()));
   out.torque.resize(out.force.size());
-  RoughContacts contacts(Harmonic{1});
+  RoughContacts<2> contacts(Harmonic{1});
   LinkForces(law).evaluate(system, contacts, system.lag, Detail::energies, out);
   return out;
 }
@@ -63,7 +63,7 @@ TEST(LinkForces, RigidTurnWindsUpNothing) {
   for (Touching& t : all_touchings()) {
     SCOPED_TRACE(t.name);
     link_nearest(t.system);
-    ForceField field(*t.contacts);
+    ForceField<2> field(*t.contacts);
     field.add(LinkForces(LinkLaw{100, 3, 40, 2}));
     Evaluation<2> out;
     const int steps = 500;
@@ -110,7 +110,7 @@ TEST(LinkForces, PeriodAndDampingOfALinkedPair) {
   add_disc_body(system, {9.9, 10}, 0.5);
   system.links = {{0, 1, {}, 0.8, 0}};
   const double k = 100, g = 1, w = std::sqrt(2 * k - g * g), dt = 2e-5;
-  ForceField field(RoughContacts(Harmonic{1e4}));  // which must not act
+  ForceField<2> field(RoughContacts<2>(Harmonic{1e4}));  // which must not act
   field.add(LinkForces(LinkLaw{.k = k, .eta = g}));
   Evaluation<2> out;
   State<2>& s = system.state;
@@ -135,11 +135,11 @@ TEST(LinkForces, PeriodAndDampingOfALinkedPair) {
 }
 
 TEST(LinkForces, EnergyOfALinkedPairGoesIntoDashpotsAlone) {
-  Touching t = touching<RoughContacts>("", regular(6, 1), {1.9, 0.2}, Toucher::disc);
+  Touching t = touching<RoughContacts<2>>("", regular(6, 1), {1.9, 0.2}, Toucher::disc);
   link_nearest(t.system);
   stir(t.system, 5);
   t.system.shape.stiffness[0] = {1, 50, 1, 0};
-  ForceField field = polygon_field(*t.contacts);
+  ForceField<2> field = polygon_field(*t.contacts);
   field.add(LinkForces(LinkLaw{80, 0.5, 40, 0.3}));
   const EnergyCheck coarse = check_energy(t.system, field, 1e-3, 1),
                     fine = check_energy(t.system, field, 2.5e-4, 1);
@@ -152,13 +152,13 @@ TEST(LinkForces, EnergyOfALinkedPairGoesIntoDashpotsAlone) {
 /// body. What is not linked touches as before, and forces stay the slope of the energy.
 TEST(LinkForces, LinkedPairsHaveNoOtherContact) {
   for (const bool smooth : {false, true}) {
-    std::shared_ptr<BodyContacts> contacts;
+    std::shared_ptr<BodyContacts<2>> contacts;
     if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{2});
-    else contacts = std::make_shared<RoughContacts>(Harmonic{2});
+    else contacts = std::make_shared<RoughContacts<2>>(Harmonic{2});
     System<2> system = random_polygons({.bodies = 9, .seed = 3, .spacing = 2.0});
     add_disc_body(system, {1.3, 1.4}, 0.5);
     add_disc_body(system, {1.9, 1.5}, 0.4);
-    ForceField field = polygon_field(*contacts);
+    ForceField<2> field = polygon_field(*contacts);
     Evaluation<2> out;
     field.evaluate(system, Detail::energies, out);
     const auto body = bodies_of_sites(system.topology, system.state.size());

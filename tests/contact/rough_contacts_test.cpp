@@ -12,7 +12,7 @@ TEST(RoughContacts, ForceFieldHoldsWhatEveryFieldMust) {
     SCOPED_TRACE(seed);
     System<2> system = testing::random_polygons({.seed = seed});
     add_disc_body(system, {1.1, 1.3}, 0.6);
-    ForceField field = testing::polygon_field(RoughContacts(Harmonic{2, seed == 2}));
+    ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{2, seed == 2}));
     testing::FieldCheck(field, system).run();
     EXPECT_GT(field.bodies()->records(system).size(), 10u);
   }
@@ -20,8 +20,8 @@ TEST(RoughContacts, ForceFieldHoldsWhatEveryFieldMust) {
 
 TEST(RoughContacts, FastLoopEqualsItsRecords) {
   System<2> system = testing::random_polygons({.bodies = 30});
-  auto contacts = std::make_shared<RoughContacts>(Harmonic{1.5, true});
-  ForceField field(*contacts);
+  auto contacts = std::make_shared<RoughContacts<2>>(Harmonic{1.5, true});
+  ForceField<2> field(*contacts);
   Evaluation<2> fast, slow;
   field.evaluate(system, Detail::energies, fast);
   slow.force.resize(fast.force.size());
@@ -41,8 +41,8 @@ TEST(RoughContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
   system.box.strain = 0.3;
   add_disc_body(system, {0.2, 0.1}, 0.5);
   add_disc_body(system, {8.0 - 0.3 + 5 * 8 + 3 * 0.3 * 8, 8 * 3.0 + 0.1}, 0.5);
-  auto contacts = std::make_shared<RoughContacts>(Harmonic{2});
-  ForceField field(*contacts);
+  auto contacts = std::make_shared<RoughContacts<2>>(Harmonic{2});
+  ForceField<2> field(*contacts);
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   EXPECT_NEAR(out.energy.elastic, 0.25, 1e-12);
@@ -52,7 +52,7 @@ TEST(RoughContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
 
 TEST(RoughContacts, GiveTheSameBitsForOneAndTwoThreads) {
   System<2> system = testing::random_polygons({.bodies = 900});
-  ForceField field(RoughContacts(Harmonic{1.5, true}));
+  ForceField<2> field(RoughContacts<2>(Harmonic{1.5, true}));
   Evaluation<2> one, two;
   field.evaluate(system, Detail::energies, one);
   thread_count() = 2;

@@ -25,7 +25,7 @@ TEST(SmoothContacts, ForceFieldHoldsWhatEveryFieldMust) {
     SCOPED_TRACE(seed);
     System<2> system = crowd(seed);
     auto contacts = std::make_shared<SmoothContacts>(Harmonic{2, seed % 2 == 0});
-    ForceField field = polygon_field(*contacts);
+    ForceField<2> field = polygon_field(*contacts);
     FieldCheck(field, system).run();
     for (const auto& r : contacts->records(system)) {
       edges += r.sites == 3;
@@ -43,7 +43,7 @@ TEST(SmoothContacts, ForceFieldHoldsWhatEveryFieldMust) {
 TEST(SmoothContacts, GiveTheSameBitsForAnyNumberOfThreads) {
   System<2> system = crowd(5, 900);
   for (int k = 0; k < 2000; ++k) add_disc_body(system, {0.5 + 0.61 * (k % 50), 0.4 + 1.3 * (k / 50)}, 0.35);
-  ForceField field(SmoothContacts(Harmonic{1.5, true}));
+  ForceField<2> field(SmoothContacts(Harmonic{1.5, true}));
   Evaluation<2> one, more;
   field.evaluate(system, Detail::energies, one);
   const int violations = field.bodies()->feature_violations();
@@ -64,7 +64,7 @@ TEST(SmoothContacts, GiveTheSameBitsForAnyNumberOfThreads) {
 TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {
   System<2> system = crowd(5, 36);
   auto contacts = std::make_shared<SmoothContacts>(Harmonic{1.5, true});
-  ForceField field(*contacts);
+  ForceField<2> field(*contacts);
   Evaluation<2> fast, slow;
   field.evaluate(system, Detail::energies, fast);
   slow.force.resize(fast.force.size());
@@ -79,7 +79,7 @@ TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {
 
   double energy = 0;
   std::size_t summed = 0, most = 0;
-  for (const BodyTouch& touch : sum_touches(system, records, contacts->laws())) {
+  for (const BodyTouch<2>& touch : sum_touches(system, records, contacts->laws())) {
     energy += touch.energy;
     summed += touch.records;
     most = std::max<std::size_t>(most, touch.records);
@@ -93,7 +93,7 @@ TEST(SmoothContacts, FastLoopEqualsItsRecordsAndItsTouches) {
 
 TEST(SmoothContacts, PushNoBodyRound) {
   System<2> system = crowd(6, 36);
-  ForceField field(SmoothContacts(Harmonic{1}));
+  ForceField<2> field(SmoothContacts(Harmonic{1}));
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   EXPECT_NEAR(out.virial[0][1], out.virial[1][0], 1e-12);
@@ -112,7 +112,7 @@ TEST(SmoothContacts, PushNoBodyRound) {
 /// The same bits from a list that has seen many small moves and from a fresh one.
 TEST(SmoothContacts, DoNotDependOnWhenTheListWasBuilt) {
   System<2> system = crowd(9, 16);
-  ForceField field(SmoothContacts(Harmonic{1}));
+  ForceField<2> field(SmoothContacts(Harmonic{1}));
   RandomStream draw(9, Purpose::test);
   Evaluation<2> kept, fresh;
   int differ = 0;
@@ -122,7 +122,7 @@ TEST(SmoothContacts, DoNotDependOnWhenTheListWasBuilt) {
     field.evaluate(system, Detail::energies, kept);
     System<2> copy = system;
     copy.pairs.clear();
-    ForceField anew(SmoothContacts(Harmonic{1}));
+    ForceField<2> anew(SmoothContacts(Harmonic{1}));
     anew.evaluate(copy, Detail::energies, fresh);
     ASSERT_EQ(kept.force, fresh.force) << "step " << step;
     ASSERT_EQ(kept.energy.elastic, fresh.energy.elastic);
@@ -137,7 +137,7 @@ TEST(SmoothContacts, DoNotDependOnWhenTheListWasBuilt) {
 /// A state that is put back brings the rows of its time, which the list does not have the positions of.
 TEST(SmoothContacts, SurviveAStateThatIsPutBack) {
   System<2> system = crowd(9, 16);
-  ForceField field(SmoothContacts(Harmonic{1}));
+  ForceField<2> field(SmoothContacts(Harmonic{1}));
   Evaluation<2> before, after;
   field.evaluate(system, Detail::energies, before);
   const System<2> kept = system;
@@ -164,7 +164,7 @@ TEST(SmoothContacts, SeeOtherBodiesThroughAnyNumberOfCells) {
   system.box.strain = 0.3;
   add_body(system, square, 0.5);
   add_disc_body(system, {1.5 + 5 * 8 - 2 * 0.3 * 9, 3.6 - 2 * 9.0}, 0.5);
-  ForceField field(SmoothContacts(Harmonic{2}));
+  ForceField<2> field(SmoothContacts(Harmonic{2}));
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   EXPECT_NEAR(out.energy.elastic, 0.16, 1e-12);

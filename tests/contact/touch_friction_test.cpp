@@ -15,7 +15,7 @@ const TouchLaw free_law{.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2, .pull 
 
 /// Forces of friction alone: with the contacts less without.
 Evaluation<2> friction_alone(const Touching& t, System<2>& system, const TouchLaw& law) {
-  ForceField field(*t.contacts);
+  ForceField<2> field(*t.contacts);
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   std::fill(out.force.begin(), out.force.end(), Vec2{});
@@ -80,7 +80,7 @@ TEST(TouchFriction, RigidTurnWindsUpNothing) {
     for (const int steps : {40, 1000}) {
       SCOPED_TRACE(t.name);
       System<2> system = t.system;
-      ForceField field = t.field(free_law);
+      ForceField<2> field = t.field(free_law);
       Evaluation<2> out;
       const double angle = 2 * std::numbers::pi / steps;
       double most = 0;
@@ -114,7 +114,7 @@ TEST(TouchFriction, RigidMotionHasNoVelocity) {
 TEST(TouchFriction, SlidingOverTheEndOfAnEdgeAndRoundACornerKeepsTheElongation) {
   const std::vector<Vec2> ring{{0, 0}, {1, 0}, {3, 0}, {3, 3}, {0, 3}};
   Touching t = touching<SmoothContacts>("", ring, {0.5, -1}, Toucher::disc);
-  ForceField field = t.field({.friction = 1e9, .k_t = 1});
+  ForceField<2> field = t.field({.friction = 1e9, .k_t = 1});
   Evaluation<2> out;
   const double dt = 1e-3, speed = 1;
   double way = 0;
@@ -146,7 +146,7 @@ TEST(TouchFriction, WithoutFrictionAndViscosityForcesKeepTheirBits) {
   stir(system, 1);
   system.lag = 0.01;
   const auto contacts = std::make_shared<SmoothContacts>(Harmonic{2});
-  ForceField plain = polygon_field(*contacts), rubbing = polygon_field(*contacts);
+  ForceField<2> plain = polygon_field(*contacts), rubbing = polygon_field(*contacts);
   rubbing.add(TouchFriction(TouchLaw{.k_t = 1}));
   Evaluation<2> a, b;
   plain.evaluate(system, Detail::energies, a);
@@ -193,10 +193,10 @@ TEST(TouchFriction, ForcesDoNotDependOnTheImagesThatDescribeTheState) {
     Evaluation<2> out[2];
     int k = 0;
     for (System<2>* s : {&here, &there}) {
-      std::shared_ptr<BodyContacts> contacts;
+      std::shared_ptr<BodyContacts<2>> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{50});
-      else contacts = std::make_shared<RoughContacts>(Harmonic{50});
-      ForceField field(*contacts);
+      else contacts = std::make_shared<RoughContacts<2>>(Harmonic{50});
+      ForceField<2> field(*contacts);
       field.add(TouchFriction(law));
       for (int step = 0; step < 2; ++step) {  // the second one has what the first has wound up
         s->lag = 0.01;
@@ -236,10 +236,10 @@ TEST(TouchFriction, CrossingTheShearedBoundaryTearsNothingAndForgetsNothing) {
     start.links = {{3, start.topology.begin[1], {}, 1, 0}, {0, start.topology.begin[8], {1, 0, 0}, 1, 0}};
     const auto run = [&](bool wraps, int& wrapped) {
       System<2> system = start;
-      std::shared_ptr<BodyContacts> contacts;
+      std::shared_ptr<BodyContacts<2>> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
-      else contacts = std::make_shared<RoughContacts>(Harmonic{5});
-      ForceField field = polygon_field(*contacts);
+      else contacts = std::make_shared<RoughContacts<2>>(Harmonic{5});
+      ForceField<2> field = polygon_field(*contacts);
       field.add(TouchFriction(TouchLaw{0.4, 3, 0.5, 0.3}));
       field.add(LinkForces(LinkLaw{3, 0.2, 2, 0.1}));
       Evaluation<2> out;

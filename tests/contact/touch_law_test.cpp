@@ -14,7 +14,7 @@ TEST(TouchLaw, SteadyPullMeetsTheCoulombForceAndLosesItTimesTheWay) {
   for (const Slip slip : {Slip::clamp, Slip::freeze}) {
     Touching t = touching<SmoothContacts>("", square, {0.5, -1}, Toucher::disc);
     const double mu = 0.3, k_t = 50, f_n = 100 * 0.2, dt = 1e-4, speed = 1;
-    ForceField field = t.field({.friction = mu, .k_t = k_t, .slip = slip});
+    ForceField<2> field = t.field({.friction = mu, .k_t = k_t, .slip = slip});
     Evaluation<2> out;
     State<2>& s = t.system.state;
     s.velocity.back() = {speed, 0};
@@ -54,8 +54,8 @@ TEST(TouchLaw, BounceHasTheRestitutionOfALinearDashpot) {
     add_disc_body(system, {10.0001, 10}, 0.5);
     system.state.velocity = {{0.05, 0}, {-0.05, 0}};
     const double k = 100, g = 3, w0 = std::sqrt(2 * k), w = std::sqrt(w0 * w0 - g * g), dt = 2e-5;
-    const auto contacts = std::make_shared<RoughContacts>(Harmonic{k});
-    ForceField field(*contacts);
+    const auto contacts = std::make_shared<RoughContacts<2>>(Harmonic{k});
+    ForceField<2> field(*contacts);
     field.add(TouchFriction(TouchLaw{.eta = g, .pull = pull}));
     Evaluation<2> out;
     State<2>& s = system.state;
@@ -78,11 +78,11 @@ TEST(TouchLaw, BounceHasTheRestitutionOfALinearDashpot) {
 TEST(TouchLaw, EnergyOfParticlesThatRubGoesWhereTheBooksSay) {
   for (const bool smooth : {false, true}) {
     Touching t = smooth ? touching<SmoothContacts>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex)
-                        : touching<RoughContacts>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex);
+                        : touching<RoughContacts<2>>("", regular(12, 2), {2.9, 0.6}, Toucher::vertex);
     System<2>& system = t.system;
     for (int i = 0; i < system.state.size(); ++i)
       system.state.velocity[i] = i < 12 ? Vec2{0.5, 0.6} : Vec2{-0.5, -0.6};
-    ForceField field = polygon_field(*t.contacts);
+    ForceField<2> field = polygon_field(*t.contacts);
     for (ShapeStiffness& k : system.shape.stiffness) k = {1, 50, 0, 0};
     for (std::size_t k = 0; k < system.topology.facet.size(); ++k) {
       const auto [a, b] = system.topology.facet[k];
@@ -117,12 +117,12 @@ TEST(TouchLaw, BodiesOfOneSiteHaveTheLawOfDiscs) {
   stir(bodies, 6);
   for (const double mu : {0.05, 1e9}) {
     const DiscLaw law{{100, 3, 40, 2}, {}, Tensile{}, mu};
-    ForceField reference(DiscContacts(Repulsion(Divergent(0)), law));
+    ForceField<2> reference(DiscContacts(Repulsion(Divergent(0)), law));
     for (const bool smooth : {false, true}) {
-      std::shared_ptr<BodyContacts> contacts;
+      std::shared_ptr<BodyContacts<2>> contacts;
       if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{100});
-      else contacts = std::make_shared<RoughContacts>(Harmonic{100});
-      ForceField field(*contacts);
+      else contacts = std::make_shared<RoughContacts<2>>(Harmonic{100});
+      ForceField<2> field(*contacts);
       field.add(TouchFriction(TouchLaw{mu, 40, 3, 2, Slip::clamp, ViscousPull::allowed}));
       System<2> a = discs, b = bodies;
       Evaluation<2> expected, out;
@@ -172,7 +172,7 @@ TEST(TouchLaw, ManySidedPolygonHasTheLawOfADisc) {
     for (int i = 0; i < n; ++i) system.state.velocity[i] = velocity + cross(spin, ring[i] - Vec2{50, 50});
     system.state.spin[n] = spin_of_disc;
     const auto contacts = std::make_shared<SmoothContacts>(Harmonic{100});
-    ForceField field(*contacts);
+    ForceField<2> field(*contacts);
     field.add(TouchFriction(TouchLaw{.friction = 1e9, .eta_t = eta}));
     Evaluation<2> out;
     field.evaluate(system, Detail::forces, out);

@@ -11,7 +11,7 @@ TEST(Walls, ForceFieldHoldsWhatEveryFieldMust) {
   System<2> system = testing::random_polygons();
   system.box.strain = 0;
   system.box.periodic = {false, false};
-  ForceField field = testing::polygon_field(RoughContacts(Harmonic{2}));
+  ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{2}));
   field.set_walls({{4, false}});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
@@ -30,8 +30,8 @@ TEST(Walls, PushBackWhatTouchesAndStandOnlyWhereAsked) {
   add_disc_body(system, {0.3, 5}, 0.5);
   add_disc_body(system, {9.8, 5}, 0.5);
   add_disc_body(system, {5, -0.1}, 0.5);
-  WallLaw walls{{4, false}};
-  ForceField field(RoughContacts(Harmonic{1}));
+  WallLaw<2> walls{{4, false}};
+  ForceField<2> field(RoughContacts<2>(Harmonic{1}));
   field.set_walls(walls);
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
@@ -50,7 +50,7 @@ TEST(Floor, SticksUpToCoulombAndIsDraggedBeyond) {
   system.box.length = {10, 10};
   system.box.periodic = {false, false};
   add_disc_body(system, {5, 0.4}, 0.5);
-  ForceField field(RoughContacts(Harmonic{1}));
+  ForceField<2> field(RoughContacts<2>(Harmonic{1}));
   field.set_walls({{4, false}, 0.5, 0.5});
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);

@@ -252,7 +252,7 @@ struct Crowd {
   std::size_t pairs = 0;
 
   Crowd() {
-    RoughContacts contacts(Harmonic{1, true});
+    RoughContacts<2> contacts(Harmonic{1, true});
     NeighborList<2> list(default_skin, contacts.meeting());
     list.update(system);
     for (const ContactRecord<2>& record : contacts.records(system)) {

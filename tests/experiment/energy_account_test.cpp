@@ -27,7 +27,7 @@ Suspension free_discs() {
   s.units = small_units;
   s.time_step = 1e-3;
   s.damping = factor;
-  s.stepper = std::make_unique<Mover>(ForceField(DiscContacts(Divergent(0), law)));
+  s.stepper = std::make_unique<Mover>(ForceField<2>(DiscContacts(Divergent(0), law)));
   s.system.box.length = {50, 50};
   State<2>& state = s.system.state;
   state.resize(4);

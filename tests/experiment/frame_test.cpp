@@ -35,7 +35,7 @@ TEST(Frame, OfPolygons) {
   system.step = 7;
   system.time = 0.5;
   system.box.strain_rate = 0.25;
-  ForceField field(RoughContacts(Harmonic{3, true}));
+  ForceField<2> field(RoughContacts<2>(Harmonic{3, true}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
   const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
@@ -60,7 +60,7 @@ TEST(Frame, OfPolygons) {
 
 TEST(Frame, RowsOfSmoothContactsAscend) {
   System<2> system = random_polygons();
-  ForceField field(SmoothContacts(Harmonic{}));
+  ForceField<2> field(SmoothContacts(Harmonic{}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
   const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
@@ -75,7 +75,7 @@ TEST(Frame, CornersHeadOnAreOneRow) {
   const std::vector<double> four(4, 1);
   add_ring(system, {{3, 5}, {4, 4}, {5, 5}, {4, 6}}, 0.5, {}, 1, four, four);
   add_ring(system, {{5.9, 5}, {7, 4}, {8, 5}, {7, 6}}, 0.5, {}, 1, four, four);
-  ForceField field(SmoothContacts(Harmonic{3, false}));
+  ForceField<2> field(SmoothContacts(Harmonic{3, false}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
   const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());

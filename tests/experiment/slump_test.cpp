@@ -169,7 +169,7 @@ TEST(Heap, IsMeasured) {
   s.box.length = {10, 10};
   s.box.periodic = {false, false};
   for (int k = 0; k < 3; ++k) add_disc_body(s, {0.5 + k, 2.5 - k}, 0.5);
-  ForceField field(DiscContacts{});
+  ForceField<2> field(DiscContacts{});
   field.external().gravity = {0, -2};
   Evaluation<2> evaluation;
   evaluation.force = {{0, 0}, {0.6, -0.8}, {0, 0.1}};

@@ -22,8 +22,8 @@
 namespace supple {
 namespace {
 
-ForceField field_of_terms() {
-  ForceField field(RoughContacts(Harmonic{1, true}));
+ForceField<2> field_of_terms() {
+  ForceField<2> field(RoughContacts<2>(Harmonic{1, true}));
   field.terms().add(std::make_shared<BodyTermSet<2>>());
   return field;
 }
@@ -36,7 +36,7 @@ TEST(BodyTerms, ARegularPolygonIsPulledToItsPerimeter) {
   add_polygon(system, {30, -4}, 2, n, 0.2, 1, {.area = 0, .length = 0});
   const double k = 0.7, rest = 3;
   set_body_term(system.terms, Perimeter::name, 0, std::array{k, rest});
-  ForceField field = field_of_terms();
+  ForceField<2> field = field_of_terms();
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   const double radius = norm(system.state.position[0] - Vec2{30, -4}),
@@ -57,7 +57,7 @@ TEST(BodyTerms, HaveTheSlopesThatTheirEnergySays) {
     set_body_term(system.terms, Perimeter::name, b, std::array{0.4 + b, 3.0 + b});
     set_body_term(system.terms, EnclosedVolume::name, b, std::array{0.3 + b, 1.0});
   }
-  ForceField field = field_of_terms();
+  ForceField<2> field = field_of_terms();
   testing::FieldCheck(field, system).run();
 }
 

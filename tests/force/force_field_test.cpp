@@ -23,9 +23,9 @@ using testing::random_polygons;
 
 class ForceFields : public ::testing::TestWithParam<bool> {
  protected:
-  ForceField make() const {
-    ForceField field =
-        GetParam() ? polygon_field(SmoothContacts(Harmonic{5})) : polygon_field(RoughContacts(Harmonic{5}));
+  ForceField<2> make() const {
+    ForceField<2> field = GetParam() ? polygon_field(SmoothContacts(Harmonic{5}))
+                                     : polygon_field(RoughContacts<2>(Harmonic{5}));
     field.add(TouchFriction(TouchLaw{0.4, 3, 0.5, 0.3}));
     field.add(LinkForces(LinkLaw{3, 0.2, 2, 0.1}));
     return field;
@@ -40,7 +40,7 @@ System<2> stirred(std::uint64_t seed, int bodies) {
   return system;
 }
 
-std::vector<Vec2> forces_of(ForceField& field, System<2>& system) {
+std::vector<Vec2> forces_of(ForceField<2>& field, System<2>& system) {
   Evaluation<2> out;
   field.evaluate(system, Detail::energies, out);
   const LossPower power = field.loss_power(system, out);  // of what this evaluation found
@@ -50,13 +50,13 @@ std::vector<Vec2> forces_of(ForceField& field, System<2>& system) {
 
 TEST_P(ForceFields, CopiesActOnSystemsOfTheirOwn) {
   System<2> a = stirred(1, 9), b = stirred(2, 9), fresh_a = a, fresh_b = b;
-  ForceField first = make(), other = make();
+  ForceField<2> first = make(), other = make();
   const std::vector<Vec2> of_a = forces_of(other, fresh_a);
   other = make();
   const std::vector<Vec2> of_b = forces_of(other, fresh_b);
 
   forces_of(first, a);
-  ForceField second = first;
+  ForceField<2> second = first;
   EXPECT_NE(second.bodies(), first.bodies());
   for (int turn = 0; turn < 3; ++turn) {
     EXPECT_EQ(forces_of(second, b), of_b);
@@ -74,13 +74,13 @@ TEST_P(ForceFields, CopiesActOnSystemsOfTheirOwn) {
 }
 
 TEST_P(ForceFields, GoFromSystemToSystem) {
-  ForceField field = make();
+  ForceField<2> field = make();
   System<2> a = stirred(1, 9), b = stirred(2, 9), c = stirred(3, 4);
   for (int turn = 0; turn < 2; ++turn)
     for (System<2>* system : {&a, &b, &c}) {
       System<2> same = *system;
       same.pairs = {};
-      ForceField fresh = make();
+      ForceField<2> fresh = make();
       EXPECT_EQ(forces_of(field, *system), forces_of(fresh, same));
     }
 }
@@ -96,10 +96,10 @@ TEST(BodyContactsOfTwoSystems, AreNotTakenForThoseOfTheOther) {
   };
   System<2> inside = pair(5), across = pair(9.8);
   Evaluation<2> out;
-  ForceField first(RoughContacts(Harmonic{1})), second = first;
+  ForceField<2> first(RoughContacts<2>(Harmonic{1})), second = first;
   first.evaluate(inside, Detail::energies, out);
   second.evaluate(across, Detail::energies, out);
-  RoughContacts contacts(Harmonic{1});
+  RoughContacts<2> contacts(Harmonic{1});
   for (int turn = 0; turn < 2; ++turn)
     for (System<2>* system : {&inside, &across}) {
       out.force.assign(2, Vec2{});
@@ -111,7 +111,7 @@ TEST(BodyContactsOfTwoSystems, AreNotTakenForThoseOfTheOther) {
 }
 
 TEST(ForceField, OfDiscsRefusesForcesBetweenBodies) {
-  ForceField discs{DiscContacts()};
+  ForceField<2> discs{DiscContacts()};
   EXPECT_THROW(discs.add(LinkForces(LinkLaw{})), Error);
 }
 

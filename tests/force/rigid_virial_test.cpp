@@ -19,7 +19,7 @@ TEST(RigidVirial, IsTheSlopeOfTheEnergyByStrain) {
   for (Vec2& x : system.rigid.centre) x += Vec2{1, 0};
   place_sites(system);
   system.box.length[flow] += 0.2;
-  ForceField field = testing::shell_field();
+  ForceField<2> field = testing::shell_field();
   field.set_walls({});
   Evaluation<2> at;
   field.evaluate(system, Detail::energies, at);
@@ -31,7 +31,7 @@ TEST(RigidVirial, IsTheSlopeOfTheEnergyByStrain) {
     place_sites(strained);
     if (i == j) strained.box.length[i] *= 1 + e;
     Evaluation<2> out;
-    ForceField fresh = testing::shell_field();
+    ForceField<2> fresh = testing::shell_field();
     fresh.set_walls({});
     fresh.evaluate(strained, Detail::energies, out);
     return out.energy.stored();
@@ -46,7 +46,7 @@ TEST(RigidVirial, IsTheSlopeOfTheEnergyByStrain) {
 TEST(RigidVirial, IsTheSlopeOfTheEnergyByShear) {
   System<2> system = testing::random_polygons();
   for (int b : {0, 3, 4, 8}) make_rigid(system, b);
-  ForceField field = testing::shell_field();
+  ForceField<2> field = testing::shell_field();
   Evaluation<2> at, out;
   field.evaluate(system, Detail::energies, at);
   const auto energy = [&](double e) {

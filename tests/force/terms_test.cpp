@@ -93,7 +93,7 @@ TEST(TermSet, ActsBesideContactsInTheForceField) {
   System<2> system =
       listed_discs(box, {{5, 5}, {8, 5}, {9, 5}}, {1, 1, 1}, 1);  // a spring, then an overlap of 1
   const PairStiffness stiffness{10, 0, 10, 0};
-  ForceField field(
+  ForceField<2> field(
       DiscContacts(Divergent(0), {stiffness, stiffness, Tensile(), 0, Slip::clamp, LeverArm::distance}));
   field.terms().add(FacetStretch<2>{}, {{0, 1}}, {{4, 2.5}});
   Evaluation<2> out;

@@ -33,7 +33,7 @@ class ReferencePacking : public ::testing::Test {
   ReferencePacking()
       : stored_(read_packing_json(reference)),
         system_(stored_.system),
-        field_(polygon_field(RoughContacts(stored_.contact))),
+        field_(polygon_field(RoughContacts<2>(stored_.contact))),
         expected_(nlohmann::json::parse(std::ifstream(reference)).at("expected")) {
     field_.evaluate(system_, Detail::energies, evaluation_);
     contacts_ = site_contacts(system_, field_.bodies()->records(system_), stored_.contact);
@@ -42,7 +42,7 @@ class ReferencePacking : public ::testing::Test {
 
   StoredPacking stored_;
   System<2> system_;
-  ForceField field_;
+  ForceField<2> field_;
   nlohmann::json expected_;
   Evaluation<2> evaluation_;
   std::vector<SiteContact> contacts_;

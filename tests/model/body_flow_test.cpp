@@ -96,10 +96,10 @@ TEST(BodyFlow, DragOfSitesActsOnEachRelativeToTheFlowThereAndOnRigidBodiesAsWhol
 
 class Crossing : public ::testing::TestWithParam<bool> {
  protected:
-  ForceField field() const {
+  ForceField<2> field() const {
     const Harmonic law{1, true};
     if (GetParam()) return polygon_field(SmoothContacts(law));
-    return polygon_field(RoughContacts(law));
+    return polygon_field(RoughContacts<2>(law));
   }
 };
 

@@ -27,7 +27,7 @@ System<2> moving() {
 }
 
 double shape_energy(const System<2>& system) {
-  ForceField field = polygon_field(RoughContacts(Harmonic{}));
+  ForceField<2> field = polygon_field(RoughContacts<2>(Harmonic{}));
   Evaluation<2> evaluation;
   System<2> copy = system;
   field.evaluate(copy, Detail::energies, evaluation);

@@ -26,7 +26,7 @@ System<2> parting_pair(double x_first) {
 
 Mover linear_springs() {
   const PairStiffness spring{1, 0, 0, 0};
-  return Mover(ForceField(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
+  return Mover(ForceField<2>(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
 }
 
 /// A linear spring pulls with k (d - d0), at any distance: also beyond half a cell, where another image is

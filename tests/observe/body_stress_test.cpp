@@ -50,8 +50,8 @@ struct Evaluated {
   BodyStresses stress;
 };
 
-Evaluated evaluate(System<2>& system, const Harmonic& law, const WallLaw* walls = nullptr) {
-  ForceField field = polygon_field(RoughContacts(law));
+Evaluated evaluate(System<2>& system, const Harmonic& law, const WallLaw<2>* walls = nullptr) {
+  ForceField<2> field = polygon_field(RoughContacts<2>(law));
   if (walls) field.set_walls(*walls);
   Evaluated out;
   field.evaluate(system, Detail::energies, out.evaluation);
@@ -168,7 +168,7 @@ TEST(BodyStress, WallsPressToo) {
   system.box.strain = 0;
   system.box.periodic = {false, false};
   for (Vec2& x : system.state.position) x += Vec2{0.9, 0.9};
-  WallLaw walls;
+  WallLaw<2> walls;
   walls.floor_friction = 0.3;
   system.floor_contact.assign(static_cast<std::size_t>(system.state.size()), 2.0);
   const auto [evaluation, s] = evaluate(system, {7, false}, &walls);
@@ -192,7 +192,7 @@ TEST(BodyStress, KineticTermIsRelativeToTheFlow) {
 
 TEST(BodyStress, NeedsAFieldOfBodies) {
   System<2> system = two_squares(1, 0.1, 0.1);
-  ForceField discs{DiscContacts{}};
+  ForceField<2> discs{DiscContacts{}};
   EXPECT_THROW(body_stresses(system, discs, Evaluation<2>{}), Error);
 }
 

@@ -24,7 +24,7 @@ struct Found {
 
 Found find(System<2>& system, std::span<const SiteForce<2>> wall = {}) {
   NeighborList<2>().update(system);
-  RoughContacts rough(Harmonic{});
+  RoughContacts<2> rough(Harmonic{});
   Found found{site_contacts(system, rough.records(system), rough.laws()), {}};
   found.network = contact_network(system, found.contacts, wall);
   return found;
@@ -174,7 +174,7 @@ TEST(ContactNetwork, ACornerThatIsTakenBackIsNoOverlap) {
 TEST(ContactNetwork, DepthOfContactsOfDiscs) {
   System<2> system = discs(10, {{1, 1}, {1.9, 1}, {5, 5}, {5.7, 5}});
   NeighborList<2>().update(system);
-  RoughContacts rough(Harmonic{});
+  RoughContacts<2> rough(Harmonic{});
   EXPECT_NEAR(mean_overlap(system, rough.records(system), rough.laws()), 0.2, 1e-12);
   system.state.position[2] = {8, 8};
   system.state.position[1] = {3, 1};
@@ -186,7 +186,7 @@ TEST(ContactNetwork, WallsAreNeighbours) {
   system.box.periodic = {false, false};
   Evaluation<2> out;
   out.force.resize(3);
-  WallLaw walls;
+  WallLaw<2> walls;
   walls.floor_friction = 0.5;
   evaluate_walls(system, walls, Detail::forces, out);
   const Found found = find(system, out.wall);

@@ -30,7 +30,7 @@ struct Outcome {
 Outcome run(System<2> s, PairStiffness contact, double friction, double damping, ShearRates rates = {},
             Plates plates = Plates::none) {
   const DiscLaw law{contact, contact, Tensile{}, friction, Slip::clamp, LeverArm::distance};
-  Mover dynamics{ForceField(DiscContacts(Divergent(0), law))};
+  Mover dynamics{ForceField<2>(DiscContacts(Divergent(0), law))};
   dynamics.set_plates(plates);
   EnergyBalance balance;
   dynamics.set_account(&balance);
@@ -111,7 +111,7 @@ TEST(EnergyAccount, OpensBetweenTwoSteps) {
   // An account opened while velocities lag behind closes as well as one opened at rest.
   System<2> s = colliding();
   const PairStiffness contact{100, 2, 80, 1};
-  Mover dynamics{ForceField(
+  Mover dynamics{ForceField<2>(
       DiscContacts(Divergent(0), {contact, contact, Tensile{}, 0.3, Slip::clamp, LeverArm::distance}))};
   s.state.spin = {3, 1};
   EnergyBalance balance;

@@ -18,13 +18,13 @@ using std::numbers::pi;
 using ::testing::Each;
 using ::testing::ElementsAre;
 
-std::vector<SiteContact> touching(System<2>& system, BodyContacts&& contacts) {
+std::vector<SiteContact> touching(System<2>& system, BodyContacts<2>&& contacts) {
   NeighborList<2>(default_skin, contacts.meeting()).update(system);
   return site_contacts(system, contacts.records(system), contacts.laws());
 }
 
 std::vector<std::uint8_t> rattlers(System<2>& system, const OutsideForces& outside = {}) {
-  return find_rattlers(system, touching(system, RoughContacts(Harmonic{})), outside);
+  return find_rattlers(system, touching(system, RoughContacts<2>(Harmonic{})), outside);
 }
 
 System<2> discs(double length, const std::vector<Vec2>& centres, const std::vector<double>& radius) {
@@ -136,7 +136,7 @@ TEST(Rattlers, NeighboursThroughThePeriodCountTwice) {
   System<2> system = discs(4, {{1, 1}, {2.95, 1}}, {1, 1});
   system.box.strain = 0.3;
   system.box.length = {4, 8};  // a shorter one is refused, as the neighbour list knows one image of a pair
-  const std::vector<SiteContact> contacts = touching(system, RoughContacts(Harmonic{}));
+  const std::vector<SiteContact> contacts = touching(system, RoughContacts<2>(Harmonic{}));
   ASSERT_EQ(contacts.size(), 1u);
   SiteContact other = contacts[0];
   other.force = -other.force;
@@ -156,7 +156,7 @@ TEST(Rattlers, AreThoseWithAMotionThatOpensAllContacts) {
     draw.seed = seed;
     draw.spacing = 2.5;
     System<2> system = testing::random_polygons(draw);
-    const auto contacts = touching(system, RoughContacts(Harmonic{}));
+    const auto contacts = touching(system, RoughContacts<2>(Harmonic{}));
     for (int b = 0; b < 9; ++b) {
       const Vec2 centre = body_centre(system, b);
       double best = -1;

@@ -101,7 +101,7 @@ TEST(BodyPlates, ABodyThatCrossesABoundaryIsHeldByTheOtherPlate) {
 TEST(BodyPlates, TheirForceIsTheSlopeOfTheEnergyOfWhatTheyMove) {
   System<2> s = suspension();
   capture_at_boundaries(s, Plates::capture);
-  ForceField field = shell_field();
+  ForceField<2> field = shell_field();
   Evaluation<2> e;
   const auto energy = [&](double strain) {  // only plates and images move
     System<2> moved = s;

@@ -39,7 +39,7 @@ struct End {
 };
 
 End moved(System<2> system, int steps, bool sheared) {
-  ForceField field = testing::polygon_field(RoughContacts(Harmonic{5}));
+  ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{5}));
   field.add(LinkForces(LinkLaw{3, 0.8, 2, 0.5}));
   Mover mover(std::move(field));
   EnergyBalance balance;

@@ -47,7 +47,7 @@ TEST(Outline, ForcesOfTwoPolygonsAreThoseOfTheirCirclesInTheMean) {
     const double curvature = 0.5 * (1 / rim + 1 / (rim + gap - overlap)),
                  bearing = 2 * std::sqrt(delta / curvature) / spacing;
     const auto contacts = std::make_shared<SmoothContacts>(Harmonic{k});
-    ForceField bare(SmoothContacts(Harmonic{k})), field(*contacts);
+    ForceField<2> bare(SmoothContacts(Harmonic{k})), field(*contacts);
     field.add(
         TouchFriction(TouchLaw{.friction = 1e9, .eta = eta, .eta_t = eta, .pull = ViscousPull::allowed}));
     double push = 0, viscous = 0, along = 0;

@@ -37,7 +37,7 @@ void expect_equal_tension(const Mat2& m) {
 class Discs {
  public:
   explicit Discs(DiscLaw law, Plates plates = Plates::none)
-      : dynamics_(ForceField(DiscContacts(Divergent(0), law))) {
+      : dynamics_(ForceField<2>(DiscContacts(Divergent(0), law))) {
     system.box.length = {500, 500};
     dynamics_.set_plates(plates);
     plates_ = plates;

@@ -50,7 +50,7 @@ TEST(RigidLeapfrog, RigidTurnOfATouchingOrLinkedPairWindsUpNothing) {
       SCOPED_TRACE(t.name);
       System<2> system = t.system;
       make_polygons_rigid(system);
-      ForceField field = t.field({.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2});
+      ForceField<2> field = t.field({.friction = 1e9, .k_t = 40, .eta = 3, .eta_t = 2});
       if (linked) {
         system.links = {{0, system.topology.begin[1], {}, 1, 0}};
         field.add(LinkForces(LinkLaw{100, 3, 40, 2}));
@@ -104,10 +104,10 @@ System<2> cluster() {
 }
 
 Mover rubbing(bool smooth) {
-  std::shared_ptr<BodyContacts> contacts;
+  std::shared_ptr<BodyContacts<2>> contacts;
   if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
-  else contacts = std::make_shared<RoughContacts>(Harmonic{5});
-  ForceField field = polygon_field(*contacts);
+  else contacts = std::make_shared<RoughContacts<2>>(Harmonic{5});
+  ForceField<2> field = polygon_field(*contacts);
   field.add(TouchFriction(TouchLaw{0.4, 3, 0.5, 0.3}));
   field.add(LinkForces(LinkLaw{3, 0.2, 2, 0.1}));
   return Mover(std::move(field));

@@ -66,9 +66,9 @@ class Rolling {
   double lost() const { return lost_; }
 
  private:
-  static ForceField field(const TouchLaw& law) {
+  static ForceField<2> field(const TouchLaw& law) {
     const auto contacts = std::make_shared<SmoothContacts>(Harmonic{stiffness});
-    ForceField f = polygon_field(*contacts);
+    ForceField<2> f = polygon_field(*contacts);
     f.add(TouchFriction(law));
     return f;
   }

@@ -14,7 +14,7 @@ constexpr double dt = 1e-3, spin = 2 * std::numbers::pi / 10;  // a turn takes 1
 
 Mover dynamics(LeverArm arm) {
   const PairStiffness s{100, 0.5, 80, 0.4};
-  return Mover(ForceField(DiscContacts(Divergent(1), {s, s, Tensile{}, 0.3, Slip::clamp, arm})));
+  return Mover(ForceField<2>(DiscContacts(Divergent(1), {s, s, Tensile{}, 0.3, Slip::clamp, arm})));
 }
 
 void run(System<2>& s, Mover& d, int steps, double damping = 1) {

@@ -45,7 +45,7 @@ struct End {
 /// Moves it in so many steps. Links are made of all pairs that touch.
 End moved(const Ride& m, int steps) {
   System<2> s = m.system;
-  Mover mover{ForceField(
+  Mover mover{ForceField<2>(
       DiscContacts(Divergent(0), {spring, spring, Tensile{}, m.friction, Slip::clamp, LeverArm::distance}))};
   mover.evaluate(s);
   if (m.linked)

@@ -12,13 +12,13 @@ namespace {
 
 struct Sample {
   System<2> system = testing::random_polygons();
-  ForceField field = testing::polygon_field(RoughContacts(Harmonic{1}));
+  ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{1}));
 };
 
 TEST(CellObjective, SlopeIsThatOfTheEnthalpy) {
   Sample s;
   make_rigid(s.system, 3);
-  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  CellObjective<2> cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
   std::vector<double> x = cell.coordinates(), slope(x.size()), unused(x.size());
   x[x.size() - 2] = 0.03;  // a cell that has already moved
   x[x.size() - 1] = -0.02;
@@ -38,7 +38,7 @@ TEST(CellObjective, SlopeIsThatOfTheEnthalpy) {
 /// Or the energy, 1e8 times smaller near jamming, would be lost in P A.
 TEST(CellObjective, EnthalpyIsTheEnergyInTheCellAtConstruction) {
   Sample s;
-  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  CellObjective<2> cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
   const std::vector<double> x = cell.coordinates();
   std::vector<double> slope(x.size());
   const double enthalpy = cell.evaluate(x, slope);
@@ -52,7 +52,7 @@ TEST(CellObjective, EnthalpyIsTheEnergyInTheCellAtConstruction) {
 TEST(CellObjective, HessianIsThatOfTheEnthalpy) {
   Sample s;
   make_rigid(s.system, 3);
-  CellObjective cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
+  CellObjective<2> cell(s.system, s.field, {}, {true, true}, 0.03, 0.01);
   std::vector<double> x = cell.coordinates(), above(x.size()), below(x.size());
   SparseMatrix lower, sparse;
   cell.hessian(x, lower);
@@ -82,7 +82,7 @@ TEST(CellObjective, MinimiserFindsTheCellOfAPressureAndAShearStress) {
   for (const Minimiser method : {Minimiser::fire, Minimiser::automatic}) {
     Sample s;
     const double pressure = 0.02, shear = 1e-3;
-    CellObjective cell(s.system, s.field, {1e-8, 1e-10}, {true, true}, pressure, shear);
+    CellObjective<2> cell(s.system, s.field, {1e-8, 1e-10}, {true, true}, pressure, shear);
     std::vector<double> x = cell.coordinates();
     MinimiseSpec spec;
     spec.method = method;

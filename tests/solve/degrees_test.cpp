@@ -15,16 +15,16 @@ using testing::random_polygons;
 /// A force field, numbers, and what must hold between them.
 struct Check {
   System<2> system;
-  ForceField field = polygon_field(RoughContacts(Harmonic{3}));
+  ForceField<2> field = polygon_field(RoughContacts<2>(Harmonic{3}));
   Evaluation<2> out = {};
 
-  double energy(const BodyDegrees& degrees, const std::vector<double>& q) {
+  double energy(const BodyDegrees<2>& degrees, const std::vector<double>& q) {
     degrees.write(q, system);
     field.evaluate(system, Detail::energies, out);
     return out.energy.stored();
   }
 
-  std::vector<double> gradient(const BodyDegrees& degrees, const std::vector<double>& q) {
+  std::vector<double> gradient(const BodyDegrees<2>& degrees, const std::vector<double>& q) {
     degrees.write(q, system);
     field.evaluate(system, Detail::forces, out);
     std::vector<double> g(q.size());
@@ -35,7 +35,7 @@ struct Check {
   /// Gradient and Hessian against central differences, and the way there and back.
   void run() {
     const double h = 1e-6;
-    const BodyDegrees degrees(system);
+    const BodyDegrees<2> degrees(system);
     const auto n = static_cast<std::size_t>(degrees.size());
     std::vector<double> q(n), again(n);
     degrees.read(system, q);
@@ -71,7 +71,7 @@ struct Check {
 TEST(BodyDegrees, OfFreeSitesArePositions) {
   System<2> system = random_polygons();
   add_disc_body(system, {0.3, 1}, 0.7);
-  const BodyDegrees degrees(system);
+  const BodyDegrees<2> degrees(system);
   ASSERT_EQ(degrees.size(), 2 * system.state.size());
   std::vector<double> q(static_cast<std::size_t>(degrees.size())), g(q.size());
   degrees.read(system, q);
@@ -100,7 +100,7 @@ TEST(BodyDegrees, OfRigidBodiesDiscsAndFixedSitesHaveTheDerivativesOfTheEnergy) 
   system.state.mobility[system.topology.begin[5] + 1] = Mobility::fixed;  // holds a rigid body
   int sites = 1;
   for (int b : {1, 2, 3, 6, 8}) sites += system.topology.body_size(b);
-  EXPECT_EQ(BodyDegrees(system).size(), 2 * (sites - 1) + 3 * 3);
+  EXPECT_EQ(BodyDegrees<2>(system).size(), 2 * (sites - 1) + 3 * 3);
   check.run();
 }
 
@@ -124,7 +124,7 @@ TEST(BodyDegrees, OfRigidBodiesCarryTheirKineticEnergy) {
   for (int i = 0; i < system.state.size(); ++i)
     energy += 0.5 * system.state.mass[i] * dot(system.state.velocity[i], system.state.velocity[i]);
   const double turning = 0.7 * gyration_radius(system.rigid, 0),
-               m = BodyDegrees(system).masses(system).back();
+               m = BodyDegrees<2>(system).masses(system).back();
   EXPECT_NEAR(energy, 0.5 * m * (0.09 + 0.04 + turning * turning), 1e-14 * energy);
 }
 

@@ -309,8 +309,8 @@ TEST(Minimise, CoincidentDiscsPart) {
     System<2> system;
     system.box.length = {8, 8};
     for (int k = 0; k < 2; ++k) add_disc_body(system, {4, 4}, 0.5);
-    ForceField field(RoughContacts(Harmonic{1, true}));
-    BodyObjective objective(system, field, {1e-9, 1e-12});
+    ForceField<2> field(RoughContacts<2>(Harmonic{1, true}));
+    BodyObjective<2> objective(system, field, {1e-9, 1e-12});
     std::vector<double> x = objective.coordinates();
     MinimiseSpec spec = by_name(name);
     int asked = 0;

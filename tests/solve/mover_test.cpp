@@ -12,7 +12,9 @@ DiscLaw law(double friction) {
   return {s, s, Tensile{}, friction, Slip::clamp, LeverArm::distance};
 }
 
-Mover dynamics(double friction = 0.3) { return Mover(ForceField(DiscContacts(Divergent(1), law(friction)))); }
+Mover dynamics(double friction = 0.3) {
+  return Mover(ForceField<2>(DiscContacts(Divergent(1), law(friction))));
+}
 
 void run(System<2>& s, Mover& d, int steps, double rate = 0.3, double dt = 1e-3) {
   for (int i = 0; i < steps; ++i) {
@@ -60,7 +62,7 @@ TEST(Mover, PassesTheSpeedOfTwoDiscsOnInACentralCollision) {
   s.state.inertia = {0.5, 0.5};
   DiscLaw elastic = law(0);
   elastic.contact.eta = elastic.contact.eta_t = 0;
-  Mover d{ForceField(DiscContacts(Divergent(0), elastic))};
+  Mover d{ForceField<2>(DiscContacts(Divergent(0), elastic))};
   for (int i = 0; i < 3000; ++i) {
     d.evaluate(s, {});
     d.advance(s, {}, 1e-3, 1);

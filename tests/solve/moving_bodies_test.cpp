@@ -100,7 +100,7 @@ TEST(MovingBodies, FallsLikeABodyThatFalls) {
   system.box = {.length = {10, 10}, .periodic = {false, false}};
   add_disc_body(system, {5, 9}, 0.3);
   system.state.velocity[0] = {1, 2};
-  ForceField field = shell_field();
+  ForceField<2> field = shell_field();
   field.external().gravity = {0, -3};
   Mover dynamics(std::move(field));
   const System<2> start = system;
@@ -127,7 +127,7 @@ TEST(MovingBodies, BouncesFromWallsAndLeavesFixedSitesInPlace) {
   heat(system, 0.3);
   system.state.mobility[3] = Mobility::fixed;
   const Vec2 pinned = system.state.position[3];
-  ForceField field = shell_field();
+  ForceField<2> field = shell_field();
   field.set_walls({});
   Mover dynamics(std::move(field));
   const double dt = default_step(system, dynamics.forces(), 0.1);
@@ -147,7 +147,7 @@ TEST(MovingBodies, BouncesFromWallsAndLeavesFixedSitesInPlace) {
 /// Sliding on a floor with friction, with memory where sites stick: the state alone is enough to go on.
 TEST(MovingBodies, GoesOnFromTheStateBitForBit) {
   const auto field = [] {
-    ForceField forces = shell_field();
+    ForceField<2> forces = shell_field();
     forces.external().gravity = {0.3, -1};
     forces.set_walls({.floor_friction = 0.3});
     return forces;
@@ -206,8 +206,8 @@ TEST(MovingBodies, ALeapfrogCompletedByHalfAKickIsVelocityVerlet) {
 TEST(MovingBodies, FrequencyBoundIsCloseToTheStiffestFrequency) {
   System<2> system = warm_shells(4);
   system.state.mass[5] = 0.2;
-  ForceField field = shell_field();
-  const BodyDegrees degrees(system);
+  ForceField<2> field = shell_field();
+  const BodyDegrees<2> degrees(system);
   HessianBlocks<2> blocks;
   field.add_hessian(system, blocks);
   const std::vector<double> mass = degrees.masses(system);

@@ -122,7 +122,7 @@ struct Pulled {
     system.box = {.length = {20, 20}, .periodic = {false, false}};
     add_polygon(system, {10, 10}, pi, 12, 0, 0.5, {1, 1, 0.5});
     width_before = width();
-    ForceField field = testing::shell_field();
+    ForceField<2> field = testing::shell_field();
     for (int i : {0, 6})
       field.external().tethers.push_back(
           {i, Vec2{10, 10} + 1.4 * (system.state.position[i] - Vec2{10, 10}), 100});

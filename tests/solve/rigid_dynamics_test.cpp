@@ -48,7 +48,7 @@ TEST(RigidDynamics, FreeRotorKeepsItsSpin) {
 /// w = sqrt(k), and at amplitude A the period is 4 K(sin(A/2))/w.
 TEST(RigidDynamics, TetheredPolygonIsAPendulum) {
   System<2> system = colliding_octagons(1);
-  ForceField field = shell_field();
+  ForceField<2> field = shell_field();
   const double k = 2.5, amplitude = 2;
   for (int i = 0; i < 8; ++i) field.external().tethers.push_back({i, system.state.position[i], k});
   system.rigid.velocity[0] = {};

@@ -16,8 +16,8 @@ namespace {
 using Rows = std::vector<std::map<int, double>>;
 
 /// |mass-weighted Hessian| of the whole, all parts multiplied out.
-Rows absolute_hessian(System<2>& system, ForceField& field) {
-  const BodyDegrees degrees(system);
+Rows absolute_hessian(System<2>& system, ForceField<2>& field) {
+  const BodyDegrees<2> degrees(system);
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
   HessianBlocks<2> blocks;
@@ -69,7 +69,7 @@ double bound_of_parts(const Rows& rows) {
 }
 
 /// 6 k/m and the wall, of the site where this is most: k = 1/sigma^2 of contacts relative to the diameter.
-double further_contacts(const System<2>& system, const ForceField& field) {
+double further_contacts(const System<2>& system, const ForceField<2>& field) {
   double most = 0;
   for (int i = 0; i < system.state.size(); ++i) {
     const double sigma = 2 * system.state.radius[i];
@@ -92,7 +92,7 @@ System<2> mostly_apart() {
   return system;
 }
 
-void expect_bound(System<2>& system, ForceField& field, const std::string& what) {
+void expect_bound(System<2>& system, ForceField<2>& field, const std::string& what) {
   const double expected =
       std::sqrt(bound_of_parts(absolute_hessian(system, field)) + further_contacts(system, field));
   EXPECT_NEAR(frequency_bound(system, field), expected, 1e-12 * expected) << what;
@@ -109,7 +109,7 @@ TEST(FrequencyBound, OfBodiesThatDoNotInteractIsTheLargestOfTheirs) {
       for (int i = t.begin[light]; i < t.begin[light + 1]; ++i) system.state.mass[i] /= 100;
     for (int r = 0; r < system.rigid.size(); ++r)
       if (system.rigid.body[r] == light) system.rigid.mass[r] /= 100, system.rigid.inertia[r] /= 100;
-    ForceField field = testing::shell_field();
+    ForceField<2> field = testing::shell_field();
     expect_bound(system, field, "light body " + std::to_string(light));
     if (light < 0) heavy = frequency_bound(system, field);
     else EXPECT_GT(frequency_bound(system, field), 2 * heavy) << light;
@@ -121,11 +121,11 @@ TEST(FrequencyBound, OfBodiesInOneClumpOnWallsIsThatOfTheWhole) {
   System<2> system = testing::random_polygons({.bodies = 225});
   ASSERT_GT(system.state.size(), 2048);
   for (const int b : {10, 200}) make_rigid(system, b);
-  ForceField field = testing::shell_field();
+  ForceField<2> field = testing::shell_field();
   expect_bound(system, field, "periodic");
   system.box.strain = 0;
   system.box.periodic = {false, false};
-  WallLaw walls;
+  WallLaw<2> walls;
   walls.repulsion = {3, false};
   field.set_walls(walls);
   field.invalidate();

@@ -13,7 +13,7 @@ namespace supple::testing {
 /// that forces are the same with and without energies.
 class FieldCheck {
  public:
-  FieldCheck(ForceField& field, System<2>& system, double step = 1e-6, double tolerance = 1e-7)
+  FieldCheck(ForceField<2>& field, System<2>& system, double step = 1e-6, double tolerance = 1e-7)
       : field_(field), system_(system), step_(step), tolerance_(tolerance) {}
 
   void run() {
@@ -124,7 +124,7 @@ class FieldCheck {
     return (above - below) / (2 * step_);
   }
 
-  ForceField& field_;
+  ForceField<2>& field_;
   System<2>& system_;
   double step_, tolerance_, scale_ = 0;
   Evaluation<2> at_, out_;

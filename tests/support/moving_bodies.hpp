@@ -12,7 +12,7 @@
 namespace supple::testing {
 
 /// A force field of rough contacts and shape energy.
-inline ForceField shell_field() { return polygon_field(RoughContacts(Harmonic{1, true})); }
+inline ForceField<2> shell_field() { return polygon_field(RoughContacts<2>(Harmonic{1, true})); }
 
 /// Gives every site a random velocity, every component up to `speed`, and rigid bodies one of their own.
 inline void heat(System<2>& system, double speed) {

@@ -41,8 +41,8 @@ inline System<2> random_polygons(const PackingDraw& draw = {}) {
 }
 
 /// The force field of such a packing.
-inline ForceField polygon_field(const BodyContacts& contacts) {
-  ForceField field(contacts);
+inline ForceField<2> polygon_field(const BodyContacts<2>& contacts) {
+  ForceField<2> field(contacts);
   field.terms().add(std::make_shared<PolygonShape>());
   return field;
 }

@@ -48,13 +48,13 @@ class Probe {
     return least;
   }
   bool inside(const Vec2& p) const { return is_inside(p + Vec2{50, 50}, ring_); }
-  BodyContacts& contacts() { return *field_.bodies(); }
+  BodyContacts<2>& contacts() { return *field_.bodies(); }
   System<2>& system() { return system_; }
 
  private:
   std::vector<Vec2> ring_;
   System<2> system_;
-  ForceField field_;
+  ForceField<2> field_;
   Evaluation<2> out_;
 };
 

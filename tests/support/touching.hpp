@@ -17,12 +17,12 @@ enum class Toucher { disc, vertex };
 struct Touching {
   std::string name;
   System<2> system;
-  std::shared_ptr<BodyContacts> contacts;
+  std::shared_ptr<BodyContacts<2>> contacts;
   double distance;  ///< about the distance of the two sides [length]
 
   /// A force field of their contacts, with friction.
-  ForceField field(const TouchLaw& law) const {
-    ForceField f(*contacts);
+  ForceField<2> field(const TouchLaw& law) const {
+    ForceField<2> f(*contacts);
     f.add(TouchFriction(law));
     return f;
   }
@@ -56,8 +56,8 @@ inline std::vector<Touching> all_touchings() {
   std::vector<Touching> all;
   for (const Toucher t : {Toucher::disc, Toucher::vertex}) {
     const std::string who = t == Toucher::disc ? "disc " : "vertex ";
-    all.push_back(touching<RoughContacts>(who + "on vertex", ell, {-0.4, -0.3}, t));
-    all.push_back(touching<RoughContacts>(who + "on two vertices", regular(12, 2), {2.3, 0.6}, t));
+    all.push_back(touching<RoughContacts<2>>(who + "on vertex", ell, {-0.4, -0.3}, t));
+    all.push_back(touching<RoughContacts<2>>(who + "on two vertices", regular(12, 2), {2.3, 0.6}, t));
     all.push_back(touching<SmoothContacts>(who + "on edge", ell, {2.1, -0.4}, t));
     all.push_back(touching<SmoothContacts>(who + "on convex corner", ell, {-0.4, -0.3}, t));
     all.push_back(touching<SmoothContacts>(who + "in concave corner", ell, {1.6, 2.5}, t));
@@ -101,7 +101,7 @@ struct EnergyCheck {
   double lost, error;
 };
 
-inline EnergyCheck check_energy(System<2> system, ForceField& field, double dt, double time) {
+inline EnergyCheck check_energy(System<2> system, ForceField<2>& field, double dt, double time) {
   State<2>& s = system.state;
   Evaluation<2> out;
   double lost = 0, first = 0, last = 0;

@@ -13,12 +13,13 @@
 namespace supple {
 
 /// One contact of a site with another body (rough: with one site of that body), the sum of its records.
+template <int Dim>
 struct BodyTouch {
   std::int32_t site;  ///< that of positive weight in the records
   std::int32_t body;  ///< the other body
-  Vec2 force{};       ///< on the site [force]
+  Vec<Dim> force{};   ///< on the site [force]
   double energy = 0;
-  Vec2 outward{};  ///< sum of multiplicity times normal over the records: away from the body
+  Vec<Dim> outward{};  ///< sum of multiplicity times normal over the records: away from the body
   std::int32_t first_record = 0, records = 0;  ///< its records, one after the other
 
   /// Size of the force, positive for repulsion and negative for attraction [force].
@@ -27,6 +28,7 @@ struct BodyTouch {
 
 /// Contacts of one kind, twice: evaluate() is a fast loop, records() the general form, and both give the same
 /// forces. The pair table must be up to date (NeighborList::update with meeting()).
+template <int Dim>
 class BodyContacts {
  public:
   explicit BodyContacts(const ContactLaws& laws) : laws_(laws), range_(widest_range(laws)) {}
@@ -43,18 +45,18 @@ class BodyContacts {
   /// Factor on the law's energy and force for contacts of a site on this ring.
   virtual double scale(const Ring&) const { return 1; }
   /// Adds forces and, with Detail::energies, energy.elastic and the virial.
-  virtual void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) = 0;
+  virtual void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) = 0;
   /// Every contact as a record, in the order in which they act.
-  virtual std::vector<ContactRecord<2>> records(const System<2>& system) = 0;
+  virtual std::vector<ContactRecord<Dim>> records(const System<Dim>& system) = 0;
   /// Adds the second derivatives of the energy.
-  virtual void add_hessian(const System<2>& system, HessianBlocks<2>& blocks);
+  virtual void add_hessian(const System<Dim>& system, HessianBlocks<Dim>& blocks);
   /// Number of vertices that the last evaluation found near a part of a boundary that is no single arc
   /// (SmoothContacts); 0 for rough contacts.
   virtual int feature_violations() const { return 0; }
 
  protected:
   /// Makes the species of the sites known to what follows.
-  void update_species(const System<2>& system);
+  void update_species(const System<Dim>& system);
   /// Of the bodies of two sites.
   std::array<std::int32_t, 2> species_of(std::int32_t i, std::int32_t j) const {
     return species_.empty() ? std::array<std::int32_t, 2>{} : std::array{species_[i], species_[j]};
@@ -87,11 +89,14 @@ class BodyContacts {
 
 /// Sums the records of each contact. A rough contact of two vertices is one touch, and so is a smooth one of
 /// a vertex with a boundary.
-std::vector<BodyTouch> sum_touches(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                   const ContactLaws& laws);
+template <int Dim>
+std::vector<BodyTouch<Dim>> sum_touches(const System<Dim>& system,
+                                        const std::vector<ContactRecord<Dim>>& records,
+                                        const ContactLaws& laws);
 
 /// Adds forces, energy.elastic and the virial of the records: the reference for every evaluate().
-void evaluate_conservative(const std::vector<ContactRecord<2>>& records, const ContactLaws& laws,
-                           Evaluation<2>& out);
+template <int Dim>
+void evaluate_conservative(const std::vector<ContactRecord<Dim>>& records, const ContactLaws& laws,
+                           Evaluation<Dim>& out);
 
 }  // namespace supple

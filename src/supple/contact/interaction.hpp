@@ -8,9 +8,11 @@
 
 namespace supple {
 
+template <int Dim>
 class BodyContacts;
 
 /// Friction, links and the like: evaluated after the contacts, on the same rows of the pair table.
+template <int Dim>
 class Interaction {
  public:
   virtual ~Interaction() = default;
@@ -19,12 +21,12 @@ class Interaction {
   /// Fills what will be remembered if the step is accepted, as if the present velocities had acted for dt
   /// [time] since the last accepted step; 0 leaves memory as it is. `contacts` are those of the same force
   /// field.
-  virtual void evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
-                        Evaluation<2>& out) = 0;
+  virtual void evaluate(const System<Dim>& system, BodyContacts<Dim>& contacts, double dt, Detail detail,
+                        Evaluation<Dim>& out) = 0;
   /// Of the forces that the last evaluation with energies found, at the velocities and the shear rate of now.
-  virtual LossPower loss_power(const System<2>& system) const = 0;
+  virtual LossPower loss_power(const System<Dim>& system) const = 0;
   /// The step is accepted: moves what `evaluation` would remember into `system`.
-  virtual void commit(System<2>& system, Evaluation<2>& evaluation) = 0;
+  virtual void commit(System<Dim>& system, Evaluation<Dim>& evaluation) = 0;
 };
 
 }  // namespace supple

@@ -21,7 +21,7 @@ void LinkForces::fill(TouchFrame& frame, const System<2>& system, const Link& li
   frame.rotation.add_vertex(1 - share, ring_of(system.topology, body_[j]), j, at);
 }
 
-void LinkForces::evaluate(const System<2>& system, BodyContacts&, double dt, Detail detail,
+void LinkForces::evaluate(const System<2>& system, BodyContacts<2>&, double dt, Detail detail,
                           Evaluation<2>& out) {
   out.trial_link.clear();
   out.link_force.clear();

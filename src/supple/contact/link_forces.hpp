@@ -11,14 +11,14 @@ namespace supple {
 /// spring and dashpot without a limit. The tangential velocity is relative to the rotations of the two
 /// boundaries, shared in proportion to the radii (TouchFrame). Elongations follow the motion as in
 /// TouchFriction. Linked sites have no other contact (LinkedTouches).
-class LinkForces final : public Interaction {
+class LinkForces final : public Interaction<2> {
  public:
   explicit LinkForces(const LawTable<LinkLaw>& laws) : laws_(laws) {}
 
   const LawTable<LinkLaw>& laws() const { return laws_; }
   LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
-  std::unique_ptr<Interaction> clone() const override { return std::make_unique<LinkForces>(*this); }
-  void evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
+  std::unique_ptr<Interaction<2>> clone() const override { return std::make_unique<LinkForces>(*this); }
+  void evaluate(const System<2>& system, BodyContacts<2>& contacts, double dt, Detail detail,
                 Evaluation<2>& out) override;
   void commit(System<2>& system, Evaluation<2>& evaluation) override;
 

@@ -2,7 +2,8 @@
 
 namespace supple {
 
-void LinkedTouches::update(const System<2>& system, Meeting meeting) {
+template <int Dim>
+void LinkedTouches<Dim>::update(const System<Dim>& system, Meeting meeting) {
   keys_.clear();
   if (system.links.empty()) return;
   std::vector<std::int32_t> body;
@@ -16,5 +17,8 @@ void LinkedTouches::update(const System<2>& system, Meeting meeting) {
   }
   std::sort(keys_.begin(), keys_.end());
 }
+
+template class LinkedTouches<2>;
+template class LinkedTouches<3>;
 
 }  // namespace supple

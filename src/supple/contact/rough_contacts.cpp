@@ -6,9 +6,10 @@
 
 namespace supple {
 
-struct RoughContacts::Sum {
+template <int Dim>
+struct RoughContacts<Dim>::Sum {
   double energy = 0;
-  Mat2 virial;
+  Mat<Dim> virial;
   Sum& operator+=(const Sum& b) {
     energy += b.energy;
     virial += b.virial;
@@ -17,17 +18,19 @@ struct RoughContacts::Sum {
 };
 
 /// visit(push) for each row of [begin, end) that touches, in order.
+template <int Dim>
 template <bool energies, bool links, class Laws, class Visit>
-void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here, int begin, int end, Sum& sum,
-                                 const Visit& visit) const {
+void RoughContacts<Dim>::for_touching(const System<Dim>& system, const Laws& laws_here, int begin, int end,
+                                      Sum& sum, const Visit& visit) const {
   const std::int32_t *first = system.pairs.first.data(), *second = system.pairs.second.data(),
                      *image = images_.index().data();
-  const Vec2 *position = system.state.position.data(), *shifts = shifts_.data();
+  const Vec<Dim>*position = system.state.position.data(), *shifts = shifts_.data();
   const double* radius = system.state.radius.data();
   for (int row = begin; row < end; ++row) {
     const std::int32_t i = first[row], j = second[row];
-    const Vec2 shift = shifts[image[row]];
-    Vec2 r{position[j][0] - position[i][0] - shift[0], position[j][1] - position[i][1] - shift[1]};
+    const Vec<Dim> shift = shifts[image[row]];
+    Vec<Dim> r;
+    for (int d = 0; d < Dim; ++d) r[d] = position[j][d] - position[i][d] - shift[d];
     const double sigma = radius[i] + radius[j], square = dot(r, r);
     const auto& law_here = laws_here.of(i, j);
     const double square_range = law_here.range() * law_here.range();
@@ -36,8 +39,8 @@ void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here,
     if constexpr (links)
       if (is_linked(system, row)) continue;
     double distance = std::sqrt(square), per_distance = 1 / distance;
-    if (distance == 0) r = arbitrary_direction<2>(i, j), per_distance = 1;
-    const Vec2 push = (law_here.force(distance, sigma) * per_distance) * r;
+    if (distance == 0) r = arbitrary_direction<Dim>(i, j), per_distance = 1;
+    const Vec<Dim> push = (law_here.force(distance, sigma) * per_distance) * r;
     visit(Push{i, j, push});
     if constexpr (energies) {
       sum.energy += law_here.energy(distance, sigma);
@@ -46,8 +49,10 @@ void RoughContacts::for_touching(const System<2>& system, const Laws& laws_here,
   }
 }
 
+template <int Dim>
 template <bool energies, bool links, class Laws>
-RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out) {
+typename RoughContacts<Dim>::Sum RoughContacts<Dim>::add_all(const System<Dim>& system, const Laws& laws,
+                                                             Evaluation<Dim>& out) {
   const PairTable& pairs = system.pairs;
   const int sites = system.state.size();
   const bool serial = runs_in_place(sites);
@@ -74,17 +79,19 @@ RoughContacts::Sum RoughContacts::add_all(const System<2>& system, const Laws& l
   return total;
 }
 
-bool RoughContacts::is_linked(const System<2>& system, int row) const {
+template <int Dim>
+bool RoughContacts<Dim>::is_linked(const System<Dim>& system, int row) const {
   return linked_.contains(touch_key(system.pairs.second[row], TouchOn::site, system.pairs.first[row],
                                     images_.cells()[images_.index()[row]]));
 }
 
-void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) {
+template <int Dim>
+void RoughContacts<Dim>::evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) {
   images_.update(system);
-  linked_.update(system, meeting());
+  linked_.update(system, this->meeting());
   shifts_ = images_.shifts(system.box);
-  if (!laws().is_uniform()) update_species(system);
-  visit_laws([&](const auto laws_here) {
+  if (!this->laws().is_uniform()) this->update_species(system);
+  this->visit_laws([&](const auto laws_here) {
     if (detail == Detail::forces) {
       if (linked_.empty()) add_all<false, false>(system, laws_here, out);
       else add_all<false, true>(system, laws_here, out);
@@ -97,24 +104,25 @@ void RoughContacts::evaluate(const System<2>& system, Detail detail, Evaluation<
   });
 }
 
-std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
+template <int Dim>
+std::vector<ContactRecord<Dim>> RoughContacts<Dim>::records(const System<Dim>& system) {
   images_.update(system);
-  linked_.update(system, meeting());
-  update_species(system);
-  const std::vector<Vec2>& shifts = images_.shifts(system.box);
-  const State<2>& state = system.state;
-  std::vector<ContactRecord<2>> records;
+  linked_.update(system, this->meeting());
+  this->update_species(system);
+  const std::vector<Vec<Dim>>& shifts = images_.shifts(system.box);
+  const State<Dim>& state = system.state;
+  std::vector<ContactRecord<Dim>> records;
   for (int row = 0; row < system.pairs.size(); ++row) {
     const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
-    const Vec2 r = state.position[j] - state.position[i] - shifts[images_.index()[row]];
+    const Vec<Dim> r = state.position[j] - state.position[i] - shifts[images_.index()[row]];
     const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < law_of(i, j).range() * sigma) || is_linked(system, row)) continue;
-    ContactRecord<2> record;
-    record.normal = distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j);
+    if (!(distance < this->law_of(i, j).range() * sigma) || is_linked(system, row)) continue;
+    ContactRecord<Dim> record;
+    record.normal = distance > 0 ? (1 / distance) * r : arbitrary_direction<Dim>(i, j);
     record.branch = r;
     record.reach = sigma;
     record.gap = distance - sigma;
-    record.species = species_of(i, j);
+    record.species = this->species_of(i, j);
     record.row = row;
     record.set_cells(images_.cells()[images_.index()[row]]);
     record.add(i, -1);
@@ -123,5 +131,8 @@ std::vector<ContactRecord<2>> RoughContacts::records(const System<2>& system) {
   }
   return records;
 }
+
+template class RoughContacts<2>;
+template class RoughContacts<3>;
 
 }  // namespace supple

@@ -1,4 +1,4 @@
-/// Rough contacts: vertices are discs that repel those of other bodies.
+/// Rough contacts: vertices are discs, or spheres, that repel those of other bodies.
 #pragma once
 #include "supple/contact/body_contacts.hpp"
 #include "supple/contact/linked_touches.hpp"
@@ -9,33 +9,34 @@ namespace supple {
 
 /// Vertices of different bodies act on each other at distances below sigma_ab = (sigma_a + sigma_b)/2, sigma
 /// being their diameters, times the range of the law [MacKeith 2025, eq. 9.3-9.4]. Bodies of one site are
-/// smooth discs. The bits are the same for any number of threads.
-class RoughContacts final : public BodyContacts {
+/// smooth discs or spheres. The bits are the same for any number of threads.
+template <int Dim>
+class RoughContacts final : public BodyContacts<Dim> {
  public:
-  using BodyContacts::BodyContacts;
-  std::unique_ptr<BodyContacts> clone() const override { return std::make_unique<RoughContacts>(*this); }
+  using BodyContacts<Dim>::BodyContacts;
+  std::unique_ptr<BodyContacts<Dim>> clone() const override { return std::make_unique<RoughContacts>(*this); }
   Meeting meeting() const override { return Meeting::sites; }
-  void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;
-  std::vector<ContactRecord<2>> records(const System<2>& system) override;
+  void evaluate(const System<Dim>& system, Detail detail, Evaluation<Dim>& out) override;
+  std::vector<ContactRecord<Dim>> records(const System<Dim>& system) override;
 
  private:
   struct Sum;
   /// The force on the second site of a row.
   struct Push {
     std::int32_t first, second;
-    Vec2 force;
+    Vec<Dim> force;
   };
   template <bool energies, bool links, class Laws, class Visit>
-  void for_touching(const System<2>& system, const Laws& laws, int begin, int end, Sum& sum,
+  void for_touching(const System<Dim>& system, const Laws& laws, int begin, int end, Sum& sum,
                     const Visit& visit) const;
   template <bool energies, bool links, class Laws>
-  Sum add_all(const System<2>& system, const Laws& laws, Evaluation<2>& out);
+  Sum add_all(const System<Dim>& system, const Laws& laws, Evaluation<Dim>& out);
 
-  bool is_linked(const System<2>& system, int row) const;
+  bool is_linked(const System<Dim>& system, int row) const;
 
-  RowImages<2> images_;
-  LinkedTouches linked_;
-  std::vector<Vec2> shifts_;
+  RowImages<Dim> images_;
+  LinkedTouches<Dim> linked_;
+  std::vector<Vec<Dim>> shifts_;
   Pushes<Push> pushes_;  ///< with several threads
 };
 

@@ -25,10 +25,10 @@ namespace supple {
 ///
 /// Smooth discs are bodies of one site. Their centres act as vertices on polygons, with the factor 1 instead
 /// of 1/2, and vertices of polygons do not act on discs. Two discs have the energy phi(distance).
-class SmoothContacts final : public BodyContacts {
+class SmoothContacts final : public BodyContacts<2> {
  public:
-  using BodyContacts::BodyContacts;
-  std::unique_ptr<BodyContacts> clone() const override { return std::make_unique<SmoothContacts>(*this); }
+  using BodyContacts<2>::BodyContacts;
+  std::unique_ptr<BodyContacts<2>> clone() const override { return std::make_unique<SmoothContacts>(*this); }
   Meeting meeting() const override { return Meeting::facets; }
   double scale(const Ring& of_site) const override { return edge_scale(of_site); }
   void evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) override;
@@ -59,7 +59,7 @@ class SmoothContacts final : public BodyContacts {
                   std::int64_t begin, std::int64_t end, const Meet& meet) const;
 
   EdgeCandidates candidates_;
-  LinkedTouches linked_;
+  LinkedTouches<2> linked_;
   std::vector<std::int32_t> body_;  ///< of each site, where something is linked
   Pushes<Push> pushes_;             ///< with several threads
   int violations_ = 0;

@@ -32,7 +32,7 @@ double share_of(const ContactRecord<2>& record, const ContactLaws& laws) {
 /// Fills the frame of a touch from its records. The share of each one is its part of the elastic force at
 /// present, also at an earlier instant: the two sides are then the same points of the boundaries.
 void fill(TouchFrame& frame, const System<2>& system, std::span<const ContactRecord<2>> records,
-          const ContactLaws& laws, const BodyTouch& touch, const std::vector<std::int32_t>& body,
+          const ContactLaws& laws, const BodyTouch<2>& touch, const std::vector<std::int32_t>& body,
           const Instant& at) {
   const auto ring = [&](std::int32_t site) { return ring_of(system.topology, body[site]); };
   frame.clear();
@@ -69,21 +69,21 @@ TouchKey TouchFriction::key_of(const ContactRecord<2>& record, Meeting meeting) 
   return touch_key(record.site[own], TouchOn::site, other, cells);
 }
 
-void TouchFriction::evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
+void TouchFriction::evaluate(const System<2>& system, BodyContacts<2>& contacts, double dt, Detail detail,
                              Evaluation<2>& out) {
   body_ = bodies_of_sites(system.topology, system.state.size());
   records_ = contacts.records(system);
   out.trial_touch.clear();
   out.touch_force.clear();
   lossy_.clear();
-  for (const BodyTouch& touch : sum_touches(system, records_, contacts.laws()))
+  for (const BodyTouch<2>& touch : sum_touches(system, records_, contacts.laws()))
     if (norm(touch.force) > 0) act(system, contacts, touch, dt, detail, out);
   std::sort(out.trial_touch.begin(), out.trial_touch.end(),
             [](const Touch& a, const Touch& b) { return a.key < b.key; });
   if (detail == Detail::energies && dt > 0) book_opened(system, contacts, dt, out);
 }
 
-void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, const BodyTouch& touch,
+void TouchFriction::act(const System<2>& system, const BodyContacts<2>& contacts, const BodyTouch<2>& touch,
                         double dt, Detail detail, Evaluation<2>& out) {
   const std::span records(records_.data() + touch.first_record, static_cast<std::size_t>(touch.records));
   const Instant now{system.state}, then{system.state, 0.5 * dt};
@@ -121,7 +121,7 @@ void TouchFriction::act(const System<2>& system, const BodyContacts& contacts, c
 }
 
 /// A spring that is still wound up when its contact opens is lost to friction.
-void TouchFriction::book_opened(const System<2>& system, const BodyContacts& contacts, double dt,
+void TouchFriction::book_opened(const System<2>& system, const BodyContacts<2>& contacts, double dt,
                                 Evaluation<2>& out) const {
   auto held = out.trial_touch.begin();
   for (const Touch& old : system.touches.rows) {

@@ -17,13 +17,13 @@ namespace supple {
 /// The elongation u (System::touches) grows by v.t dt, with v and t about the positions of dt/2 ago, to which
 /// the velocities of a leapfrog belong (Instant). A pair that turns rigidly by straight steps, as a leapfrog
 /// makes them, then winds up nothing at any length of step.
-class TouchFriction final : public Interaction {
+class TouchFriction final : public Interaction<2> {
  public:
   explicit TouchFriction(const LawTable<TouchLaw>& laws) : laws_(laws) {}
-  std::unique_ptr<Interaction> clone() const override { return std::make_unique<TouchFriction>(*this); }
+  std::unique_ptr<Interaction<2>> clone() const override { return std::make_unique<TouchFriction>(*this); }
 
   const LawTable<TouchLaw>& laws() const { return laws_; }
-  void evaluate(const System<2>& system, BodyContacts& contacts, double dt, Detail detail,
+  void evaluate(const System<2>& system, BodyContacts<2>& contacts, double dt, Detail detail,
                 Evaluation<2>& out) override;
   LossPower loss_power(const System<2>& system) const override { return power_of(lossy_, system); }
   void commit(System<2>& system, Evaluation<2>& evaluation) override {
@@ -31,12 +31,12 @@ class TouchFriction final : public Interaction {
   }
 
  private:
-  void act(const System<2>& system, const BodyContacts& contacts, const BodyTouch& touch, double dt,
+  void act(const System<2>& system, const BodyContacts<2>& contacts, const BodyTouch<2>& touch, double dt,
            Detail detail, Evaluation<2>& out);
-  void book_opened(const System<2>& system, const BodyContacts& contacts, double dt,
+  void book_opened(const System<2>& system, const BodyContacts<2>& contacts, double dt,
                    Evaluation<2>& out) const;
   TouchKey key_of(const ContactRecord<2>& record, Meeting meeting) const;
-  double scale_of(const System<2>& system, const BodyContacts& contacts, std::int32_t site) const {
+  double scale_of(const System<2>& system, const BodyContacts<2>& contacts, std::int32_t site) const {
     return contacts.scale(ring_of(system.topology, body_[site]));
   }
 

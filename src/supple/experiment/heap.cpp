@@ -67,13 +67,13 @@ double widest_diameter(const System<2>& system) {
   return *std::max_element(all.begin(), all.end());
 }
 
-double weight(const System<2>& system, ForceField& field) {
+double weight(const System<2>& system, ForceField<2>& field) {
   double mass = 0;
   for (const double m : system.state.mass) mass += m;
   return -mass * field.external().gravity[gradient];
 }
 
-Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation) {
+Heap measure_heap(const System<2>& system, ForceField<2>& field, const Evaluation<2>& evaluation) {
   const State<2>& s = system.state;
   Heap h;
   h.time = system.time;

@@ -41,7 +41,7 @@ struct Heap {
 };
 
 /// Measures the heap at the instant of `evaluation`, which must hold energies. There must be gravity.
-Heap measure_heap(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
+Heap measure_heap(const System<2>& system, ForceField<2>& field, const Evaluation<2>& evaluation);
 
 /// Whether the heap lies still: Heap::motion is below `motion`, and the forces on every particle balance to 1
 /// % of its weight. The second condition matters at the top of a bounce, where nothing moves but nothing
@@ -52,7 +52,7 @@ bool is_at_rest(const Heap& heap, double motion);
 const Observables<Heap>& heap_observables();
 
 /// Weight of all sites [force].
-double weight(const System<2>& system, ForceField& field);
+double weight(const System<2>& system, ForceField<2>& field);
 
 /// Mean and largest diameter of the circles round the bodies (outer_radius) [length].
 double mean_diameter(const System<2>& system);

@@ -15,7 +15,7 @@ namespace supple {
 
 void require_room(const Packing& packing) {
   const System<2>& s = packing.system;
-  const BodyContacts* contacts = packing.field->bodies();
+  const BodyContacts<2>* contacts = packing.field->bodies();
   const std::vector<double> reach = contacts ? reach_of_sites(s, contacts->meeting(), contacts->range())
                                              : reach_of_sites(s, Meeting::sites);
   if (const auto period = short_period(s.box, least_period(s, reach)))

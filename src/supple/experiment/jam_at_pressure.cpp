@@ -15,7 +15,7 @@ namespace {
 /// Contacts of another stiffness for as long as it lives.
 class Softened {
  public:
-  Softened(BodyContacts& contacts, double factor) : contacts_(contacts), laws_(contacts.laws()) {
+  Softened(BodyContacts<2>& contacts, double factor) : contacts_(contacts), laws_(contacts.laws()) {
     contacts_.set_laws(laws_.map([&](const BodyLaw& law) { return law.stiffer(factor); }));
   }
   ~Softened() { contacts_.set_laws(laws_); }
@@ -23,7 +23,7 @@ class Softened {
   Softened& operator=(const Softened&) = delete;
 
  private:
-  BodyContacts& contacts_;
+  BodyContacts<2>& contacts_;
   ContactLaws laws_;
 };
 
@@ -223,8 +223,8 @@ class Press {
       const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = s_.ratio,
                    length = packing_.system.box.length[0];
       packing_.field->invalidate();
-      CellObjective objective(packing_.system, *packing_.field, tolerance, {true, false},
-                              ratio * wanted * packing_.pressure_unit);
+      CellObjective<2> objective(packing_.system, *packing_.field, tolerance, {true, false},
+                                 ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
       // The numbers of an objective are those of the cell at its construction, and its pressure is that of
       // all forces: a new one is made where either has changed.

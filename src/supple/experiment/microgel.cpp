@@ -164,7 +164,7 @@ Plates plates_of(const Case& c) {
 
 std::unique_ptr<Mover> make_dynamics(const Case& c, const MicrogelConstants& k) {
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
-  return std::make_unique<Mover>(ForceField(DiscContacts(repulsion, k.law)));
+  return std::make_unique<Mover>(ForceField<2>(DiscContacts(repulsion, k.law)));
 }
 
 }  // namespace supple

@@ -61,17 +61,17 @@ double mean_radius(const System<2>& system) {
 
 }  // namespace
 
-ForceField make_body_field(const Case& c) {
+ForceField<2> make_body_field(const Case& c) {
   const ContactLaws laws = contact_laws(c);
-  ForceField field =
-      c.contact.kind == "smooth" ? ForceField(SmoothContacts(laws)) : ForceField(RoughContacts(laws));
+  ForceField<2> field = c.contact.kind == "smooth" ? ForceField<2>(SmoothContacts(laws))
+                                                   : ForceField<2>(RoughContacts<2>(laws));
   field.terms().add(std::make_shared<PolygonShape>());
   field.terms().add(std::make_shared<BodyTermSet<2>>());
   return field;
 }
 
-WallLaw wall_law(const Case& c) {
-  WallLaw walls;
+WallLaw<2> wall_law(const Case& c) {
+  WallLaw<2> walls;
   walls.repulsion = springs_of(c);
   walls.repulsion.stiffness *= c.contact.k_p;
   walls.floor_friction = c.contact.floor_friction;
@@ -106,7 +106,7 @@ bool is_periodic(const System<2>& system) { return system.box.periodic[0] && sys
 void surround(const Case& c, const Environment& environment, Packing& p) {
   p.field->external().gravity = environment.gravity;
   if (is_periodic(p.system)) return;
-  WallLaw walls = wall_law(c);
+  WallLaw<2> walls = wall_law(c);
   walls.stands = environment.stands;
   p.field->set_walls(walls);
 }
@@ -151,7 +151,7 @@ Packing packing_of(const Case& c, System<2> system, Places places = Places::rand
   check_tension(system);
   Packing p;
   p.system = std::move(system);
-  p.field = std::make_unique<ForceField>(make_body_field(c));
+  p.field = std::make_unique<ForceField<2>>(make_body_field(c));
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
   p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
   const bool apart = places == Places::apart;
@@ -244,7 +244,7 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
         fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
         "start from a run of it, or from [bodies]");
   Packing p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
-  WallLaw walls = wall_law(c);
+  WallLaw<2> walls = wall_law(c);
   walls.floor_friction = 0;  // friction has no energy to minimise
   p.field->set_walls(walls);
   return p;

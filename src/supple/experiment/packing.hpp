@@ -27,7 +27,7 @@ enum class OnUnsound { stop, mark };
 /// Everything that an experiment on bodies needs. Pressures that users see are in units of `pressure_unit`.
 struct Packing {
   System<2> system;
-  Owned<ForceField> field;
+  Owned<ForceField<2>> field;
   Outline outline = Outline::rough;
   double pressure_unit = 1;                ///< k_a a0 of a small particle; k_c for discs and rigid particles
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
@@ -77,10 +77,10 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
 Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// The force field that the case describes.
-ForceField make_body_field(const Case& c);
+ForceField<2> make_body_field(const Case& c);
 
 /// The walls that the case describes.
-WallLaw wall_law(const Case& c);
+WallLaw<2> wall_law(const Case& c);
 
 /// What a search needs to know of a packing at rest. The packing fraction is an estimate: the area covered at
 /// first, times the change of the area of polygons and discs since, over the area of the cell.

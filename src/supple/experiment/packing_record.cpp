@@ -115,7 +115,7 @@ PackingReport report_packing(Packing& packing, const PresentMotion<2>& now) {
   r.evaluation.now = now;
   System<2>& s = packing.system;
   packing.field->evaluate(s, Detail::energies, r.evaluation);
-  BodyContacts& contacts = *packing.field->bodies();
+  BodyContacts<2>& contacts = *packing.field->bodies();
   r.records = contacts.records(s);
   r.contacts = site_contacts(s, r.records, contacts.laws());
   r.network = contact_network(s, with_links(r.contacts, s, r.evaluation), r.evaluation.wall);

@@ -69,9 +69,9 @@ std::vector<Vec2> move_apart(const std::vector<double>& radius, const std::vecto
   System<2> discs;
   discs.box = box;
   for (std::size_t k = 0; k < radius.size(); ++k) add_disc_body(discs, centre[k], 1.02 * radius[k]);
-  ForceField field(RoughContacts(Harmonic{1, true}));
+  ForceField<2> field(RoughContacts<2>(Harmonic{1, true}));
   field.set_walls({.repulsion = Harmonic{4, true}});
-  BodyObjective objective(discs, field, {1e-3, 1e-8});
+  BodyObjective<2> objective(discs, field, {1e-3, 1e-8});
   std::vector<double> x = objective.coordinates();
   MinimiseSpec spec;
   spec.method = Minimiser::fire;

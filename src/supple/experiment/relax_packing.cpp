@@ -9,7 +9,7 @@
 namespace supple {
 
 MinimiseReport relax(Packing& packing, const MinimiseCallback& callback) {
-  BodyObjective objective(packing.system, *packing.field, packing.tolerance);
+  BodyObjective<2> objective(packing.system, *packing.field, packing.tolerance);
   std::vector<double> x = objective.coordinates();
   const MinimiseReport report = minimise(objective, x, packing.minimise, callback);
   require_going_on(packing, report);

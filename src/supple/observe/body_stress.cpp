@@ -115,7 +115,7 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
   return s;
 }
 
-BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation) {
+BodyStresses body_stresses(const System<2>& system, ForceField<2>& field, const Evaluation<2>& evaluation) {
   if (!field.bodies())
     throw input_error("no stress of bodies", "this force field is of discs with memory",
                       "use stress_tensors");

@@ -51,6 +51,6 @@ BodyStresses body_stresses(const System<2>& system, std::span<const Vec2> shape_
 /// The same for a force field of bodies, at the instant of `evaluation`. The shape force on a site of a rigid
 /// body is what keeps it in its place there: mass times acceleration less all other forces.
 /// Evaluation::virial has these forces for bodies at rest.
-BodyStresses body_stresses(const System<2>& system, ForceField& field, const Evaluation<2>& evaluation);
+BodyStresses body_stresses(const System<2>& system, ForceField<2>& field, const Evaluation<2>& evaluation);
 
 }  // namespace supple

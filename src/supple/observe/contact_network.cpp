@@ -12,7 +12,7 @@ namespace supple {
 namespace {
 
 /// The site of negative weight that bears the largest share of a record of the touch.
-std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch& touch,
+std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch<2>& touch,
                        const ContactLaws& laws) {
   std::int32_t site = -1;
   double largest = -1;
@@ -66,7 +66,7 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
                                        const ContactLaws& laws) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   std::vector<SiteContact> contacts;
-  for (const BodyTouch& touch : sum_touches(system, records, laws))
+  for (const BodyTouch<2>& touch : sum_touches(system, records, laws))
     contacts.push_back({touch.site, main_site(records, touch, laws), body[touch.site], touch.body,
                         touch.force, shift_of(system, records[touch.first_record]), touch.normal_force() < 0,
                         laws.of(records[touch.first_record].species).attracts()});
@@ -75,9 +75,9 @@ std::vector<SiteContact> site_contacts(const System<2>& system, const std::vecto
 
 double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
                     const ContactLaws& laws) {
-  const std::vector<BodyTouch> touches = sum_touches(system, records, laws);
+  const std::vector<BodyTouch<2>> touches = sum_touches(system, records, laws);
   double sum = 0;
-  for (const BodyTouch& touch : touches) {
+  for (const BodyTouch<2>& touch : touches) {
     double depth =
         0;  // a corner that is taken back (weight -1) is never nearer than the edges that end there
     for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r)

@@ -3,36 +3,49 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace supple {
 
-double mean_contact_force(const System<2>& system, BodyContacts& contacts) {
+template <int Dim>
+double mean_contact_force(const System<Dim>& system, BodyContacts<Dim>& contacts) {
   double sum = 0;
-  const std::vector<ContactRecord<2>> records = contacts.records(system);
-  for (const ContactRecord<2>& r : records)
+  const std::vector<ContactRecord<Dim>> records = contacts.records(system);
+  for (const ContactRecord<Dim>& r : records)
     sum += std::abs(r.multiplicity * contacts.laws().of(r.species).force(r.distance(), r.reach));
   return records.empty() ? 0 : sum / static_cast<double>(records.size());
 }
 
 namespace {
 
-double largest_net(const BodyDegrees& degrees, std::span<const double> slope) {
-  const auto of_sites = 2 * static_cast<std::size_t>(degrees.site_count());
-  double square = largest_square_of_pairs(slope.first(of_sites)), other = 0;
+template <int Dim>
+double largest_net(const BodyDegrees<Dim>& degrees, std::span<const double> slope) {
+  const auto of_sites = Dim * static_cast<std::size_t>(degrees.site_count());
+  double square = largest_square<Dim>(slope.first(of_sites)), other = 0;
   for (std::size_t k = of_sites; k < slope.size(); ++k) other = std::max(other, std::abs(slope[k]));
   return std::max(std::sqrt(square), other);
 }
 
-/// Stiffness of the stiffest vertex [energy/length^2]: two edges and three corners, or a contact.
-double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
+/// Stiffness of a vertex by what of its body is round it [energy/length^2], `rest` the smallest rest value of
+/// a facet: two edges and three corners in 2D; six triangles and, of their hinges, twelve in 3D.
+template <int Dim>
+double stiffness_of_shape(const ShapeStiffness& k, double rest) {
+  if constexpr (Dim == 2) return 2 * k.facet + 6 * k.hinge / (rest * rest) + k.tension / rest;
+  const double square = 4 * rest / std::numbers::sqrt3;  // of the edge of a regular triangle
+  return 1.5 * k.facet * square + 24 * k.hinge / square + 4 * k.tension;
+}
+
+/// Stiffness of the stiffest vertex [energy/length^2]: by its shape, or a contact.
+template <int Dim>
+double vertex_stiffness(const System<Dim>& system, BodyContacts<Dim>* contacts) {
   double most = 0;
   for (std::size_t b = 0; b < system.shape.stiffness.size(); ++b) {
     const ShapeStiffness& k = system.shape.stiffness[b];
     const std::int32_t first = system.topology.facet_begin[b], end = system.topology.facet_begin[b + 1];
     if (first == end) continue;
-    const double l =
+    const double rest =
         *std::min_element(&system.shape.rest_facet[first], &system.shape.rest_facet[first] + (end - first));
-    most = std::max(most, 2 * k.facet + 6 * k.hinge / (l * l) + k.tension / l);
+    most = std::max(most, stiffness_of_shape<Dim>(k, rest));
   }
   if (contacts && !system.state.radius.empty())
     most = std::max(most, contacts->laws().most([sigma = 2 * *std::min_element(system.state.radius.begin(),
@@ -43,7 +56,9 @@ double vertex_stiffness(const System<2>& system, BodyContacts* contacts) {
 
 }  // namespace
 
-BodyObjective::BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance)
+template <int Dim>
+BodyObjective<Dim>::BodyObjective(System<Dim>& system, ForceField<Dim>& field,
+                                  const ForceTolerance& tolerance)
     : system_(system),
       field_(field),
       degrees_(system),
@@ -54,18 +69,21 @@ BodyObjective::BodyObjective(System<2>& system, ForceField& field, const ForceTo
   largest_move_ = radius.empty() ? 1 : 0.2 * *std::min_element(radius.begin(), radius.end());
 }
 
-std::vector<double> BodyObjective::coordinates() const {
+template <int Dim>
+std::vector<double> BodyObjective<Dim>::coordinates() const {
   std::vector<double> x(static_cast<std::size_t>(size()));
   degrees_.read(system_, x);
   return x;
 }
 
-double BodyObjective::evaluate(std::span<const double> x, std::span<double> slope) {
+template <int Dim>
+double BodyObjective<Dim>::evaluate(std::span<const double> x, std::span<double> slope) {
   evaluate(x, slope, Detail::energies);
   return out_.energy.stored();
 }
 
-void BodyObjective::evaluate(std::span<const double> x, std::span<double> slope, Detail detail) {
+template <int Dim>
+void BodyObjective<Dim>::evaluate(std::span<const double> x, std::span<double> slope, Detail detail) {
   degrees_.write(x, system_);
   field_.evaluate(system_, detail, out_);
   degrees_.gradient(system_, out_.force, slope);
@@ -74,18 +92,21 @@ void BodyObjective::evaluate(std::span<const double> x, std::span<double> slope,
   if (--until_refresh_ < 0 || residual(x, slope) <= tolerance_now_) refresh_tolerance(x);
 }
 
-double largest_net_force(const System<2>& system, const std::vector<Vec2>& force) {
-  const BodyDegrees degrees(system);
+template <int Dim>
+double largest_net_force(const System<Dim>& system, const std::vector<Vec<Dim>>& force) {
+  const BodyDegrees<Dim> degrees(system);
   std::vector<double> slope(static_cast<std::size_t>(degrees.size()));
   degrees.gradient(system, force, slope);
   return largest_net(degrees, slope);
 }
 
-double BodyObjective::residual(std::span<const double>, std::span<const double> slope) {
+template <int Dim>
+double BodyObjective<Dim>::residual(std::span<const double>, std::span<const double> slope) {
   return largest_net(degrees_, slope);
 }
 
-void BodyObjective::refresh_tolerance(std::span<const double> x) {
+template <int Dim>
+void BodyObjective<Dim>::refresh_tolerance(std::span<const double> x) {
   constexpr int interval = 100;
   until_refresh_ = interval;
   const double mean = field_.bodies() ? mean_contact_force(system_, *field_.bodies()) : 0;
@@ -94,7 +115,8 @@ void BodyObjective::refresh_tolerance(std::span<const double> x) {
   tolerance_now_ = std::max({tolerance_.least, rounding, tolerance_.relative * mean});
 }
 
-void BodyObjective::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
+template <int Dim>
+void BodyObjective<Dim>::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
   degrees_.write(x, system_);
   blocks_.clear();
   field_.add_hessian(system_, blocks_, kind);
@@ -103,5 +125,12 @@ void BodyObjective::assemble(std::span<const double> x, HessianKind kind, Sparse
   degrees_.hessian(system_, blocks_, out_.force, entries_);
   sum_entries(size(), entries_, lower);
 }
+
+template class BodyObjective<2>;
+template class BodyObjective<3>;
+template double largest_net_force(const System<2>&, const std::vector<Vec2>&);
+template double largest_net_force(const System<3>&, const std::vector<Vec3>&);
+template double mean_contact_force(const System<2>&, BodyContacts<2>&);
+template double mean_contact_force(const System<3>&, BodyContacts<3>&);
 
 }  // namespace supple

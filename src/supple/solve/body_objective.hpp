@@ -16,9 +16,10 @@ struct ForceTolerance {
 
 /// The energy of a system under a force field as a function of its free sites and rigid bodies (BodyDegrees),
 /// in a cell that stays as it is. Evaluating it moves the system.
+template <int Dim>
 class BodyObjective final : public Objective {
  public:
-  BodyObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance);
+  BodyObjective(System<Dim>& system, ForceField<Dim>& field, const ForceTolerance& tolerance);
 
   /// The numbers of the present state.
   std::vector<double> coordinates() const;
@@ -36,9 +37,9 @@ class BodyObjective final : public Objective {
   }
   /// Largest net force on a site, or on a rigid body along one of its numbers [force].
   double residual(std::span<const double> x, std::span<const double> slope) override;
-  const BodyDegrees& degrees() const { return degrees_; }
+  const BodyDegrees<Dim>& degrees() const { return degrees_; }
   /// The last evaluation; with energies, if it was by evaluate().
-  const Evaluation<2>& evaluation() const { return out_; }
+  const Evaluation<Dim>& evaluation() const { return out_; }
   double tolerance() const override { return tolerance_now_; }
   double largest_move() const override { return largest_move_; }
 
@@ -47,12 +48,12 @@ class BodyObjective final : public Objective {
   void assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower);
   void refresh_tolerance(std::span<const double> x);
 
-  System<2>& system_;
-  ForceField& field_;
-  BodyDegrees degrees_;
+  System<Dim>& system_;
+  ForceField<Dim>& field_;
+  BodyDegrees<Dim> degrees_;
   ForceTolerance tolerance_;
-  Evaluation<2> out_;
-  HessianBlocks<2> blocks_;  ///< this and `entries_` are kept for their memory
+  Evaluation<Dim> out_;
+  HessianBlocks<Dim> blocks_;  ///< this and `entries_` are kept for their memory
   std::vector<MatrixEntry> entries_;
   double largest_move_, tolerance_now_;
   double stiffness_;  ///< of the stiffest vertex, roughly [energy/length^2]
@@ -61,9 +62,11 @@ class BodyObjective final : public Objective {
 
 /// Largest net force, given the forces on all sites: on a free site, or on a rigid body along one of its
 /// numbers.
-double largest_net_force(const System<2>& system, const std::vector<Vec2>& force);
+template <int Dim>
+double largest_net_force(const System<Dim>& system, const std::vector<Vec<Dim>>& force);
 
 /// Mean magnitude of the forces of contacts [force]; 0 where nothing touches.
-double mean_contact_force(const System<2>& system, BodyContacts& contacts);
+template <int Dim>
+double mean_contact_force(const System<Dim>& system, BodyContacts<Dim>& contacts);
 
 }  // namespace supple

@@ -5,8 +5,10 @@
 
 namespace supple {
 
-CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance,
-                             CellFreedom freedom, double pressure, double shear_stress)
+template <int Dim>
+CellObjective<Dim>::CellObjective(System<Dim>& system, ForceField<Dim>& field,
+                                  const ForceTolerance& tolerance, CellFreedom freedom, double pressure,
+                                  double shear_stress)
     : system_(system),
       field_(field),
       bodies_(system, field, tolerance),
@@ -19,12 +21,13 @@ CellObjective::CellObjective(System<2>& system, ForceField& field, const ForceTo
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (i > 0 && body[sites[i]] == body[sites[i - 1]]) ++groups_.back().count;
-    else groups_.push_back({2 * i, 1});
+    else groups_.push_back({Dim * i, 1});
   }
-  for (std::size_t k = 2 * sites.size(); k < at_.size(); k += 3) groups_.push_back({k, 1});
+  for (std::size_t k = Dim * sites.size(); k < at_.size(); k += 3) groups_.push_back({k, 1});
 }
 
-std::vector<double> CellObjective::coordinates() const {
+template <int Dim>
+std::vector<double> CellObjective<Dim>::coordinates() const {
   std::vector<double> x = bodies_.coordinates();
   x.resize(static_cast<std::size_t>(size()), 0.0);
   return x;
@@ -32,10 +35,18 @@ std::vector<double> CellObjective::coordinates() const {
 
 namespace {
 
-/// Mean of `count` pairs of numbers.
-Vec2 mean(const double* pairs, int count) {
-  Vec2 sum{};
-  for (int k = 0; k < count; ++k) sum += Vec2{pairs[2 * k], pairs[2 * k + 1]};
+template <int Dim>
+Vec<Dim> vector_at(const double* numbers) {
+  Vec<Dim> v;
+  for (int d = 0; d < Dim; ++d) v[d] = numbers[d];
+  return v;
+}
+
+/// Mean of `count` vectors.
+template <int Dim>
+Vec<Dim> mean(const double* vectors, int count) {
+  Vec<Dim> sum{};
+  for (int k = 0; k < count; ++k) sum += vector_at<Dim>(vectors + Dim * k);
   return (1.0 / count) * sum;
 }
 
@@ -43,7 +54,8 @@ Vec2 mean(const double* pairs, int count) {
 
 /// Sets the cell of these numbers, and the numbers of the bodies in it: their centres c go to growth (c +
 /// shear c_y e_x).
-void CellObjective::strain_cell(std::span<const double> x) {
+template <int Dim>
+void CellObjective<Dim>::strain_cell(std::span<const double> x) {
   std::size_t next = static_cast<std::size_t>(bodies_.size());
   growth_ = freedom_.size ? std::exp(x[next++] / start_.length[0]) : 1;
   shear_ = freedom_.shear ? x[next] / start_.length[0] : 0;
@@ -51,36 +63,44 @@ void CellObjective::strain_cell(std::span<const double> x) {
   system_.box.strain = start_.strain + shear_;
   std::copy(x.begin(), x.begin() + bodies_.size(), at_.begin());
   for (const Group& group : groups_) {
-    const Vec2 c = mean(&x[group.first], group.count);
-    const Vec2 move{growth_ * (c[0] + shear_ * c[1]) - c[0], (growth_ - 1) * c[1]};
-    for (std::size_t k = group.first; k < group.first + 2 * group.count; k += 2)
-      for (int d = 0; d < 2; ++d) at_[k + d] += move[d];
+    const Vec<Dim> c = mean<Dim>(&x[group.first], group.count);
+    Vec<Dim> move = (growth_ - 1) * c;
+    move[flow] = growth_ * (c[flow] + shear_ * c[gradient]) - c[flow];
+    for (std::size_t k = group.first; k < group.first + Dim * group.count; k += Dim)
+      for (int d = 0; d < Dim; ++d) at_[k + d] += move[d];
   }
 }
 
-double CellObjective::evaluate(std::span<const double> x, std::span<double> slope) {
+template <int Dim>
+double CellObjective<Dim>::evaluate(std::span<const double> x, std::span<double> slope) {
   strain_cell(x);
   const double energy = bodies_.evaluate(at_, slope.first(at_.size()));
   // The virial belongs to sites that all move with the strain; here bodies keep their shapes, so the part of
   // the sites' motion relative to their centres is taken out.
-  Mat2 virial = bodies_.evaluation().virial;
+  Mat<Dim> virial = bodies_.evaluation().virial;
   for (const Group& group : groups_) {
-    const Vec2 c = mean(&x[group.first], group.count);
-    for (std::size_t k = group.first; k < group.first + 2 * group.count && group.count > 1; k += 2)
-      virial.add_outer(1, {slope[k], slope[k + 1]}, Vec2{x[k], x[k + 1]} - c);
-    const Vec2 s = mean(&slope[group.first], group.count);
-    const Vec2 change{(growth_ - 1) * s[0], growth_ * (s[1] + shear_ * s[0]) - s[1]};
-    for (std::size_t k = group.first; k < group.first + 2 * group.count; k += 2)
-      for (int d = 0; d < 2; ++d) slope[k + d] += change[d];
+    const Vec<Dim> c = mean<Dim>(&x[group.first], group.count);
+    for (std::size_t k = group.first; k < group.first + Dim * group.count && group.count > 1; k += Dim)
+      virial.add_outer(1, vector_at<Dim>(&slope[k]), vector_at<Dim>(&x[k]) - c);
+    const Vec<Dim> s = mean<Dim>(&slope[group.first], group.count);
+    Vec<Dim> change = (growth_ - 1) * s;
+    change[gradient] = growth_ * (s[gradient] + shear_ * s[flow]) - s[gradient];
+    for (std::size_t k = group.first; k < group.first + Dim * group.count; k += Dim)
+      for (int d = 0; d < Dim; ++d) slope[k + d] += change[d];
   }
   const double area = system_.box.volume(), start = start_.volume();
   std::size_t next = at_.size();
-  if (freedom_.size) slope[next++] = (2 * pressure_ * area - virial[0][0] - virial[1][1]) / start_.length[0];
+  if (freedom_.size) {
+    double by_size = Dim * pressure_ * area;
+    for (int d = 0; d < Dim; ++d) by_size -= virial[d][d];
+    slope[next++] = by_size / start_.length[0];
+  }
   if (freedom_.shear) slope[next] = (-virial[flow][gradient] - shear_stress_ * start) / start_.length[0];
   return energy + pressure_ * (area - start) - shear_stress_ * start * shear_;
 }
 
-double CellObjective::residual(std::span<const double> x, std::span<const double> slope) {
+template <int Dim>
+double CellObjective<Dim>::residual(std::span<const double> x, std::span<const double> slope) {
   double most = bodies_.residual(at_, slope.first(at_.size()));
   // The slopes by size and strain sum over the whole cell; per vertex along its rim they compare with net
   // forces.
@@ -89,7 +109,8 @@ double CellObjective::residual(std::span<const double> x, std::span<const double
   return most;
 }
 
-void CellObjective::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
+template <int Dim>
+void CellObjective<Dim>::assemble(std::span<const double> x, HessianKind kind, SparseMatrix& lower) {
   strain_cell(x);
   SparseMatrix inner;
   if (kind == HessianKind::exact) bodies_.hessian(at_, inner);
@@ -115,5 +136,8 @@ void CellObjective::assemble(std::span<const double> x, HessianKind kind, Sparse
   sum_entries(size(), entries, lower);
   strain_cell(x);
 }
+
+template class CellObjective<2>;
+template class CellObjective<3>;
 
 }  // namespace supple

@@ -9,17 +9,18 @@ struct CellFreedom {
   bool size = true, shear = false;
 };
 
-/// The enthalpy H = U + P (A - A0) - tau A0 gamma of a periodic cell of area A, A0 at construction, under an
-/// outer pressure P and shear stress tau; gamma is the shear strain since construction. (P A itself can be
-/// 1e8 times U, and minimisers could not see U change.) The numbers that it is a function of: those of
-/// BodyDegrees in the cell as it was at construction, where the strain of the cell moves bodies with their
-/// centres and does not deform them; then ln(size) and gamma, each times the first length of the cell at
-/// construction, so that they are lengths too. At a minimum the net forces vanish, the virial pressure is P,
-/// and the shear stress -Sigma_xy is tau A0/A.
+/// The enthalpy H = U + P (A - A0) - tau A0 gamma of a periodic cell of area (3D: volume) A, A0 at
+/// construction, under an outer pressure P and shear stress tau; gamma is the shear strain since
+/// construction. (P A itself can be 1e8 times U, and minimisers could not see U change.) The numbers that it
+/// is a function of: those of BodyDegrees in the cell as it was at construction, where the strain of the cell
+/// moves bodies with their centres and does not deform them; then ln(size) and gamma, each times the first
+/// length of the cell at construction, so that they are lengths too. At a minimum the net forces vanish, the
+/// virial pressure is P, and the shear stress -Sigma_xy is tau A0/A.
+template <int Dim>
 class CellObjective final : public Objective {
  public:
-  CellObjective(System<2>& system, ForceField& field, const ForceTolerance& tolerance, CellFreedom freedom,
-                double pressure, double shear_stress = 0);
+  CellObjective(System<Dim>& system, ForceField<Dim>& field, const ForceTolerance& tolerance,
+                CellFreedom freedom, double pressure, double shear_stress = 0);
 
   std::vector<double> coordinates() const;
   int size() const override { return bodies_.size() + extra(); }
@@ -37,7 +38,7 @@ class CellObjective final : public Objective {
   double largest_move() const override { return bodies_.largest_move(); }
 
  private:
-  /// Positions that move together when the cell is strained: `count` pairs of numbers from number `first` on.
+  /// Positions that move together when the cell is strained: `count` vectors from number `first` on.
   struct Group {
     std::size_t first;
     int count;
@@ -47,12 +48,12 @@ class CellObjective final : public Objective {
   int extra() const { return freedom_.size + freedom_.shear; }
   void strain_cell(std::span<const double> x);
 
-  System<2>& system_;
-  ForceField& field_;
-  BodyObjective bodies_;
+  System<Dim>& system_;
+  ForceField<Dim>& field_;
+  BodyObjective<Dim> bodies_;
   CellFreedom freedom_;
   double pressure_, shear_stress_;
-  Box<2> start_;
+  Box<Dim> start_;
   double growth_ = 1, shear_ = 0;  ///< of the cell, relative to `start_`
   std::vector<double> at_;         ///< numbers of the bodies where the cell is now
   std::vector<Group> groups_;

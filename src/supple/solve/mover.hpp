@@ -29,7 +29,7 @@ namespace supple {
 /// Either way the state alone decides the next step, bit for bit.
 class Mover : public Stepper {
  public:
-  explicit Mover(ForceField forces, double drag = 0) : forces_(std::move(forces)) { set_drag(drag); }
+  explicit Mover(ForceField<2> forces, double drag = 0) : forces_(std::move(forces)) { set_drag(drag); }
 
   const Evaluation<2>& evaluate(System<2>& system, ShearRates = {}) override;
   /// The same with energies, dissipated power and virial.
@@ -59,9 +59,9 @@ class Mover : public Stepper {
     is_current_ = false;
     forces_.invalidate();
   }
-  const ForceField& forces() const { return forces_; }
+  const ForceField<2>& forces() const { return forces_; }
   /// To change them.
-  ForceField& forces() {
+  ForceField<2>& forces() {
     is_current_ = false;
     return forces_;
   }
@@ -72,7 +72,7 @@ class Mover : public Stepper {
   void change_velocities(System<2>& system, double rate, double half_before, double half_after,
                          double damping);
 
-  ForceField forces_;
+  ForceField<2> forces_;
   Evaluation<2> evaluation_;
   bool is_current_ = false;  ///< whether a step has left the forces of the present instant
   Detail detail_ = Detail::forces;

@@ -69,6 +69,19 @@ inline double largest_square_of_pairs(std::span<const double> a) {
   return result;
 }
 
+/// Largest square of a vector of Dim numbers, one after the other in a.
+template <int Dim>
+double largest_square(std::span<const double> a) {
+  if constexpr (Dim == 2) return largest_square_of_pairs(a);
+  double result = 0;
+  for (std::size_t i = 0; i < a.size(); i += Dim) {
+    double square = 0;
+    for (std::size_t d = i; d < i + Dim; ++d) square += a[d] * a[d];
+    result = square > result ? square : result;
+  }
+  return result;
+}
+
 /// Adds factor x to y.
 inline void add_scaled(double factor, std::span<const double> x, std::span<double> y) {
   for (std::size_t i = 0; i < x.size(); ++i) y[i] += factor * x[i];

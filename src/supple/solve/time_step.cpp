@@ -16,7 +16,7 @@ namespace supple {
 namespace {
 
 /// Squared frequency of a site that six further neighbours and a wall press on.
-double further_contacts(const System<2>& system, const ForceField& forces) {
+double further_contacts(const System<2>& system, const ForceField<2>& forces) {
   const auto spring_of = [&](double sigma) {
     const auto stiffness = [&](const BodyLaw& law) { return law.stiffness(0.5 * sigma, sigma); };
     double spring = forces.bodies() ? 6 * forces.bodies()->laws().most(stiffness) : 0;
@@ -99,7 +99,7 @@ class Batches {
 class WeightedHessian {
  public:
   /// `force` holds the forces on the sites if there are rigid bodies.
-  WeightedHessian(const System<2>& system, const ForceField& forces, const std::vector<Vec2>& force)
+  WeightedHessian(const System<2>& system, const ForceField<2>& forces, const std::vector<Vec2>& force)
       : system_(system),
         forces_(forces),
         force_(force),
@@ -163,9 +163,9 @@ class WeightedHessian {
   }
 
   const System<2>& system_;
-  const ForceField& forces_;
+  const ForceField<2>& forces_;
   const std::vector<Vec2>& force_;
-  BodyDegrees degrees_;
+  BodyDegrees<2> degrees_;
   std::vector<double> mass_;
   std::vector<std::int32_t> local_;  ///< number in the batch of each number
   HessianBlocks<2> blocks_;
@@ -177,7 +177,7 @@ class WeightedHessian {
 
 }  // namespace
 
-double frequency_bound(System<2>& system, ForceField& forces) {
+double frequency_bound(System<2>& system, ForceField<2>& forces) {
   Evaluation<2> evaluation;
   if (!system.rigid.body.empty()) forces.evaluate(system, Detail::forces, evaluation);  // they turn bodies
   HessianBlocks<2> joining;
@@ -192,7 +192,7 @@ double frequency_bound(System<2>& system, ForceField& forces) {
 
 double leapfrog_limit(double omega, double z) { return 2 / omega * (std::sqrt(1 + 4 * z * z) - 2 * z); }
 
-double default_step(System<2>& system, ForceField& forces, double fraction) {
+double default_step(System<2>& system, ForceField<2>& forces, double fraction) {
   const double omega = frequency_bound(system, forces);
   if (!(omega > 0)) throw input_error("no time step follows from the forces", "nothing acts", "give a step");
   return fraction * 2 / omega;
