@@ -46,7 +46,7 @@ double seconds_of_ratio(double ratio) {
   c.bodies.large_fraction = 1e-3;
   c.bodies.size_ratio = ratio;
   resolve_family(c);
-  Packing start = make_packing(c, nullptr, 0.4);
+  Packing<2> start = make_packing(c, nullptr, 0.4);
   draw_velocities(start.system, 0.01, 1);
   const double dt = body_time_step(c, start, nullptr, conserving_step);
   double best = std::numeric_limits<double>::infinity();

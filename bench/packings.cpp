@@ -50,8 +50,8 @@ void print_task(const Task& task, double slower) {
       c.bodies.shape_parameter = 1.0055 * least_shape_parameter(task.vertices);
     }
     const double start = cpu_seconds();
-    Packing packing = make_packing(c, nullptr, task.packing_fraction);
-    const JamProgress end = jam(packing, jam_spec(c));
+    Packing<2> packing = make_packing(c, nullptr, task.packing_fraction);
+    const JamProgress<2> end = jam(packing, jam_spec(c));
     const double seconds = cpu_seconds() - start;
     sum += seconds / seeds;
     fmt::print("  {:>4}  {:>4}  {:>12}  {:>11}  {:>7.4f}  {:>8.2e}  {:>7.2f}\n", task.name, seed,

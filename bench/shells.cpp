@@ -77,7 +77,7 @@ System<2> tiled(const System<2>& tile, int times) {
 }
 
 /// Nanoseconds per vertex of an iteration of FIRE, evaluation included; from a copy of the packing.
-double time_iteration(Packing p) {
+double time_iteration(Packing<2> p) {
   BodyObjective<2> objective(p.system, *p.field, {0, 0});
   std::vector<double> x = objective.coordinates();
   MinimiseSpec spec = p.minimise;
@@ -92,7 +92,7 @@ double time_iteration(Packing p) {
 }
 
 void print_shells_of(int count, double packing_fraction, double slower) {
-  Packing p = compressed_shells(count, packing_fraction);
+  Packing<2> p = compressed_shells(count, packing_fraction);
   System<2>& s = p.system;
   Evaluation<2> out;
   const auto [forces, energies, shape, contacts] =
@@ -124,10 +124,10 @@ double bytes_per_vertex(double rows) {
 
 }  // namespace
 
-Packing compressed_shells(int count, double packing_fraction) {
+Packing<2> compressed_shells(int count, double packing_fraction) {
   Case c = shell_case(count, vertices);
   c.bodies.vertex_rule = "equal";
-  Packing p = make_packing(c, nullptr, 0.6);
+  Packing<2> p = make_packing(c, nullptr, 0.6);
   const double factor = std::sqrt(p.covered_area / p.system.box.volume() / packing_fraction);
   scale_cell(p.system, {factor, factor});
   p.field->invalidate();
@@ -155,7 +155,7 @@ void print_shell_sizes() {
   fmt::print("\nShells of {} vertices at phi = 0.85: CPU ns per vertex and evaluation of forces\n", vertices);
   fmt::print("  {:>8}  {:>6}  {:>10}  {:>6}  {:>12}  {:>6}  {:>8}\n", "vertices", "forces", "arithmetic",
              "memory", "bytes/vertex", "build", "to 1e3");
-  const Packing five = compressed_shells(5, 0.85), fifty = compressed_shells(50, 0.85);
+  const Packing<2> five = compressed_shells(5, 0.85), fifty = compressed_shells(50, 0.85);
   double of_thousand = 0;
   for (const auto& [tile, times] :
        {std::pair{&five, 1}, {&fifty, 1}, {&fifty, 3}, {&fifty, 10}, {&fifty, 32}}) {

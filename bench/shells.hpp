@@ -6,7 +6,7 @@ namespace supple::bench {
 
 /// Shells of 20 vertices compressed to this packing fraction, moved no more than until overlaps are gone: the
 /// contacts are what they will be.
-Packing compressed_shells(int count, double packing_fraction);
+Packing<2> compressed_shells(int count, double packing_fraction);
 
 /// Time of a force evaluation per vertex, of its parts, and of an iteration of FIRE, for shells of 20
 /// vertices; `slower` is how many times slower this machine is than the one of the published figures (0:

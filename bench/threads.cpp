@@ -116,7 +116,7 @@ void print_threads() {
       std::thread::hardware_concurrency());
   fmt::print("  {:<32}  quiet wall   CPU  busy wall   CPU\n", "");
   for (const int discs : {1500, 10000, 100000}) print_steps(discs);
-  const Packing shells = compressed_shells(1024, 0.85);
+  const Packing<2> shells = compressed_shells(1024, 0.85);
   const ContactLaws laws = shells.field->bodies()->laws();
   print_forces("1024 shells, forces, rough", shells.system, RoughContacts<2>(laws));
   print_forces("1024 shells, forces, smooth", shells.system, SmoothContacts(laws));

@@ -54,7 +54,7 @@ class Measurement {
   /// To packing fractions of `highest` above the onset; 0: the onset alone.
   PressureCurve run(double highest) {
     try {
-      Packing packing = make_packing(c_, nullptr, c_.jamming.packing_fraction);
+      Packing<2> packing = make_packing(c_, nullptr, c_.jamming.packing_fraction);
       protocol_ == Protocol::search ? start_by_search(packing) : start_by_steps(packing);
       curve_.first = curve_.onset;
       const std::vector<double> list = excesses(highest);
@@ -91,12 +91,12 @@ class Measurement {
     return list;
   }
 
-  void start_by_search(Packing& packing) {
+  void start_by_search(Packing<2>& packing) {
     curve_.unconverged = jam(packing, jam_spec(c_)).unconverged;
     start_curve(packing);
   }
 
-  void start_by_steps(Packing& packing) {
+  void start_by_steps(Packing<2>& packing) {
     const ForceTolerance exact = packing.tolerance;
     packing.tolerance.relative = std::max(exact.relative, 1e-3);
     System<2> low = packing.system;
@@ -113,7 +113,7 @@ class Measurement {
   }
 
   /// Whether the packing has the pressure P_t. Of one that loses its energy no more is asked.
-  bool resists(Packing& packing) const {
+  bool resists(Packing<2>& packing) const {
     constexpr double modulus =
         0.2;  // dP/d(phi), roughly; a tenth of the energy of P_t has a third of its pressure
     const double p = c_.jamming.pressure;
@@ -123,7 +123,7 @@ class Measurement {
     return report.energy > little && observe(packing).pressure > p;
   }
 
-  void start_curve(Packing& packing) {
+  void start_curve(Packing<2>& packing) {
     curve_.phi.clear();
     curve_.pressure.clear();
     base_ = observe(packing).packing_fraction;
@@ -131,13 +131,13 @@ class Measurement {
     curve_.onset = curve_.phi[0];
   }
 
-  void add_point(Packing& packing) {
+  void add_point(Packing<2>& packing) {
     curve_.phi.push_back(area_ == Area::sum ? packing.covered_area / packing.system.box.volume()
                                             : covered_fraction(packing));
     curve_.pressure.push_back(observe(packing).pressure);
   }
 
-  static void scale_to(Packing& packing, double packing_fraction) {
+  static void scale_to(Packing<2>& packing, double packing_fraction) {
     const double factor = std::sqrt(observe(packing).packing_fraction / packing_fraction);
     scale_cell(packing.system, {factor, factor});
     packing.field->invalidate();

@@ -24,7 +24,7 @@ constexpr int published_points = 250'000;   // the standard error is then the 0.
 /// The part of a cell that a panel shows, bodies and their images within it.
 class Panel {
  public:
-  Panel(Canvas& canvas, const Packing& packing, Point corner, double size, const std::string& title)
+  Panel(Canvas& canvas, const Packing<2>& packing, Point corner, double size, const std::string& title)
       : canvas_(canvas),
         shapes_(body_shapes(packing.system, Outline::rough)),
         box_(packing.system.box),
@@ -87,7 +87,7 @@ std::vector<Point> circle(const Point& centre, double radius) {
 
 const Pen thin{gray, 0.5};
 
-void draw(const Packing& packing, const std::string& path) {
+void draw(const Packing<2>& packing, const std::string& path) {
   const RoughSum sum = rough_sum(packing.system);
   const double size = 150, across = 165, down = 180;
   Canvas canvas(path, 3 * across + 5, 2 * down + 5, 200);
@@ -179,7 +179,7 @@ int run(const std::string& path, const std::string& out) {
   double right = 0, wrong = 0;
   for (int seed = 1; seed <= packings; ++seed) {
     c.general.seed = seed;
-    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+    Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
     jam(packing, jam_spec(c));
     const RoughSum sum = rough_sum(packing.system);
     const double exact = packing_fraction(packing.system, packing.outline).total;

@@ -34,7 +34,7 @@ Case disc_case(Case c, double k_c) {
 /// -V dP/dV of a box that all walls squeeze, in units of k_a a0 of the deformable particles (which is 1). The
 /// squeeze is small: a rearrangement within it would be taken for elasticity.
 double bulk_modulus(const Case& c) {
-  Packing p = make_boxed_packing(c, nullptr, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio);
+  Packing<2> p = make_boxed_packing(c, nullptr, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio);
   JamSpec spec;
   spec.pressure = c.uniaxial.pressure;
   spec.step = 5e-3;

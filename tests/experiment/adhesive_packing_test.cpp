@@ -30,8 +30,8 @@ TEST(AdhesivePacking, BearsItsPressureFarBelowThePackingOfParticlesThatPush) {
     for (const char* search : {"root", "pressure"}) {
       SCOPED_TRACE(std::string(kind) + ", " + search);
       const Case c = sticky(kind, search);
-      Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
-      const JamProgress end = jam(packing, jam_spec(c));
+      Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+      const JamProgress<2> end = jam(packing, jam_spec(c));
       EXPECT_TRUE(end.last.converged);
       EXPECT_GT(end.state.pressure, 1e-4);
       EXPECT_LT(end.state.pressure, 1.01e-4);
@@ -48,12 +48,12 @@ TEST(AdhesivePacking, BearsItsPressureFarBelowThePackingOfParticlesThatPush) {
 /// Drawn out as far as its contacts let it, a packing is under tension.
 TEST(AdhesivePacking, HoldsTogetherUnderTension) {
   const Case c = sticky("rough", "pressure");
-  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   jam(packing, jam_spec(c));
   scale_cell(packing.system, {1.02, 1.02});
   packing.field->invalidate();
   EXPECT_TRUE(relax(packing).converged);
-  const PackingState state = observe(packing);
+  const PackingState<2> state = observe(packing);
   EXPECT_LT(state.pressure, -1e-4);
   EXPECT_LT(state.energy, 0);
 }

@@ -205,7 +205,7 @@ TEST(BodyShear, SlowSmallShearIsTheModulusOfMinimisedStates) {
   for (Vec2& v : state.system.state.velocity) v = {};
   Making making;
   making.flow = Flow::kept;
-  Packing packing = make_packing(c, &state, 0, making);
+  Packing<2> packing = make_packing(c, &state, 0, making);
   add_rheology(body_laws(c, packing), packing);
   packing.minimise.method = Minimiser::fire;
   packing.tolerance.least = 1e-10;

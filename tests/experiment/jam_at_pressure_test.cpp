@@ -24,9 +24,9 @@ Case pressed(const char* family, double pressure, int seed) {
   return c;
 }
 
-void expect_sound(const Packing& packing, const JamSpec& spec, const JamProgress& end) {
-  Packing p = packing;
-  const PackingState s = observe(p);
+void expect_sound(const Packing<2>& packing, const JamSpec& spec, const JamProgress<2>& end) {
+  Packing<2> p = packing;
+  const PackingState<2> s = observe(p);
   EXPECT_TRUE(end.last.converged && end.settled);
   EXPECT_TRUE(in_window(spec, s.full_pressure)) << s.full_pressure;
   EXPECT_LT(s.contact_pressure, s.full_pressure);
@@ -37,7 +37,7 @@ void expect_sound(const Packing& packing, const JamSpec& spec, const JamProgress
 TEST(JamAtPressure, ParticlesStayOutsideOfEachOtherAtHighPressures) {
   for (const double pressure : {1e-4, 1e-3}) {
     const Case c = pressed("shell", pressure, 1);
-    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+    Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
     expect_sound(packing, jam_spec(c), jam(packing, jam_spec(c)));
   }
 }
@@ -45,10 +45,10 @@ TEST(JamAtPressure, ParticlesStayOutsideOfEachOtherAtHighPressures) {
 /// A window that no packing can be in: what is left is a packing from which the root search goes on.
 TEST(JamAtPressure, LeavesAPackingToGoOnFromWhereItFails) {
   const Case c = pressed("droplet", 1e-5, 1);
-  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   JamSpec spec = jam_spec(c);
   spec.window = 1e-15;
-  JamState state;
+  JamState<2> state;
   ASSERT_FALSE(jam_at_pressure(packing, spec, state, {}, {}));
   EXPECT_GT(state.progress.minimisations, 10);
   EXPECT_TRUE(look_at(packing).sound());
@@ -60,10 +60,10 @@ TEST(JamAtPressure, LeavesAPackingToGoOnFromWhereItFails) {
 
 TEST(JamAtPressure, AnInterruptedRunKeepsNothingOfSoftContacts) {
   const Case c = pressed("shell", 1e-5, 1);
-  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   const double stiffness = packing.field->bodies()->laws().common().scale().stiffness;
   int soft = 0;
-  const auto until_soft = [&](const JamProgress& p) {
+  const auto until_soft = [&](const JamProgress<2>& p) {
     if (packing.field->bodies()->laws().common().scale().stiffness < stiffness) {
       ++soft;
       EXPECT_FALSE(p.settled);
@@ -101,10 +101,10 @@ TEST(JamAtPressure, RowsTellOfTheStages) {
 /// The first stage is a quarter of the work; a bar that stood at half when particles first press would lie.
 TEST(JamAtPressure, TellsHowMuchIsDone) {
   const Case c = pressed("shell", 1e-6, 2);
-  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   double last = 0;
   int first = 0;
-  const JamProgress end = jam(packing, jam_spec(c), [&](const JamProgress& p) {
+  const JamProgress<2> end = jam(packing, jam_spec(c), [&](const JamProgress<2>& p) {
     EXPECT_TRUE(p.share.has_value());
     EXPECT_GE(*p.share, last);
     last = *p.share;
@@ -126,7 +126,7 @@ TEST(JamAtPressure, DiscsJamWhereARootSearchFindsThem) {
     for (const JamSearch search : {JamSearch::pressure, JamSearch::root}) {
       Case c = pressed("disc", 1e-6, seed);
       c.bodies.count = 64;
-      Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+      Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
       JamSpec spec = jam_spec(c);
       spec.search = search;
       jam(packing, spec);

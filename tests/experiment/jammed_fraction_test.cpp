@@ -20,7 +20,7 @@ constexpr Kind kinds[]{{"shell", "rough"},       {"shell", "smooth"},
                        {"disc", "rough"},        {"rough_disc", "rough"},
                        {"shell", "rough", 0, 2}, {"rough_disc", "rough", 0, 0.5}};
 
-Packing jammed(const Kind& kind, int seed) {
+Packing<2> jammed(const Kind& kind, int seed) {
   Case c;
   c.general.experiment = "jamming";
   c.general.seed = seed;
@@ -38,7 +38,7 @@ Packing jammed(const Kind& kind, int seed) {
   c.jamming.window = 0.1;
   c.minimise.force_tolerance = 1e-3;
   resolve_family(c);
-  Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+  Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
   jam(packing, jam_spec(c));
   return packing;
 }
@@ -70,7 +70,7 @@ TEST(JammedFraction, AgreesWithMonteCarloOver20Packings) {
   int packings = 0, sums = 0;
   for (const Kind& kind : kinds)
     for (const int seed : {1, 2}) {
-      const Packing p = jammed(kind, seed);
+      const Packing<2> p = jammed(kind, seed);
       const double exact = packing_fraction(p.system, p.outline).total;
       const MonteCarloFraction mc =
           monte_carlo_fraction(p.system, p.outline, points, static_cast<std::uint64_t>(++packings));

@@ -42,8 +42,8 @@ class JammingOf : public ::testing::TestWithParam<Family> {};
 
 /// U of the packing with cell and bodies strained by e_ij: vertices move with the strain, rigid bodies with
 /// their centres.
-double strained_energy(const Packing& packing, int i, int j, double e) {
-  Packing p = packing;
+double strained_energy(const Packing<2>& packing, int i, int j, double e) {
+  Packing<2> p = packing;
   System<2>& s = p.system;
   const auto move = [&](Vec2& x) { x[i] += e * x[j]; };
   for (Vec2& x : s.state.position) move(x);
@@ -62,7 +62,7 @@ double strained_energy(const Packing& packing, int i, int j, double e) {
 }
 
 /// dU/d(strain) by a difference of fourth order.
-double slope(const Packing& p, int i, int j) {
+double slope(const Packing<2>& p, int i, int j) {
   const double h = 2e-6;  // contacts must not open or close within it
   return (8 * (strained_energy(p, i, j, h) - strained_energy(p, i, j, -h)) -
           (strained_energy(p, i, j, 2 * h) - strained_energy(p, i, j, -2 * h))) /
@@ -91,13 +91,13 @@ TEST_P(JammingOf, ReachesTheWindowAtConstantPressure) {
     Case c = small_case(GetParam());
     c.jamming.search = "pressure";
     c.jamming.pressure_kind = kind;
-    Packing packing = make_packing(c, nullptr, 0.4);
+    Packing<2> packing = make_packing(c, nullptr, 0.4);
     const double stiffness = packing.field->bodies()->laws().common().scale().stiffness;
-    const JamProgress end = jam(packing, jam_spec(c));
+    const JamProgress<2> end = jam(packing, jam_spec(c));
     EXPECT_EQ(packing.field->bodies()->laws().common().scale().stiffness, stiffness);
     EXPECT_TRUE(end.last.converged);
     EXPECT_EQ(end.unconverged, 0);
-    const PackingState s = observe(packing);
+    const PackingState<2> s = observe(packing);
     const double p = packing.contact_pressure ? s.contact_pressure : s.full_pressure;
     EXPECT_GT(p, c.jamming.pressure);
     EXPECT_LT(p, c.jamming.pressure * (1 + c.jamming.window));
@@ -114,7 +114,7 @@ TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   Case c = small_case(GetParam());
   c.jamming.pressure = 3e-3;
   c.jamming.search = "root";  // rigid particles cannot be shaken: in this sample no rattler just touches
-  Packing packing = make_packing(c, nullptr, 0.4);
+  Packing<2> packing = make_packing(c, nullptr, 0.4);
   jam(packing, jam_spec(c));
   // The two agree in any state. In equilibrium rattlers just touch, where the energy has a kink in its second
   // derivative and differences mean nothing: shake the packing a little.
@@ -255,7 +255,7 @@ TEST(Compression, CyclesComeBackToTheFirstPressure) {
 TEST(Packing, FreeParticlesFindTheirPreferredShape) {
   Case c = small_case({"floppy", "floppy", "rough", 1.02});
   c.bodies.vertices = 20;
-  Packing packing = make_packing(c, nullptr, 1e-3);
+  Packing<2> packing = make_packing(c, nullptr, 1e-3);
   const MinimiseReport report = relax(packing);
   EXPECT_TRUE(report.converged);
   EXPECT_LT(observe(packing).energy, 1e-18);

@@ -142,7 +142,7 @@ TEST(PairsOfCase, KeysWithoutEffectAreDoubted) {
 TEST(PairsOfCase, ParticlesKnowTheirSpecies) {
   const Case c = read(mixture);
   for (const Places places : {Places::random, Places::apart}) {
-    const Packing packing = make_packing(c, nullptr, 0.3, {places});
+    const Packing<2> packing = make_packing(c, nullptr, 0.3, {places});
     const std::vector<std::int32_t>& species = packing.system.species;
     ASSERT_EQ(species.size(), 20u);
     EXPECT_EQ(std::count(species.begin(), species.end(), 0), 9);
@@ -163,13 +163,13 @@ TEST(PairsOfCase, StressOfAJammedMixtureIsTheSlopeOfItsEnergy) {
     if (std::string(kind) == "smooth") more.push_back("species.3.family=disc");
     const Case c = read(text, more);
     ASSERT_EQ(error_of(c), "no error");
-    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
-    const JamProgress end = jam(packing, jam_spec(c));
+    Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+    const JamProgress<2> end = jam(packing, jam_spec(c));
     EXPECT_TRUE(end.last.converged);
     EXPECT_NEAR(end.state.pressure, 2e-2, 2.1e-4);
     const PackingReport report = report_packing(packing);
     const auto energy_at = [&](double strain) {
-      Packing moved = packing;
+      Packing<2> moved = packing;
       for (Vec2& x : moved.system.state.position) x[0] += strain * x[1];
       for (Vec2& x : moved.system.rigid.centre) x[0] += strain * x[1];
       moved.system.box.strain += strain;
@@ -207,7 +207,7 @@ friction = 0.1
 interface_reenforcement_central = 0.5
 )",
                       {"experiment=oscillatory_shear", "physics=deformable"});
-  const Packing packing = make_packing(c, nullptr, 0.3, {Places::apart});
+  const Packing<2> packing = make_packing(c, nullptr, 0.3, {Places::apart});
   const BodyLaws laws = body_laws(c, packing);
   EXPECT_EQ(laws.touch.common().friction, 0.1);
   EXPECT_EQ(laws.touch.of(0, 2).friction, 0.7);
@@ -230,7 +230,7 @@ TEST(PairsOfCase, PairThatRubsMostBoundsTheStepOfSheared) {
         read(std::string(mixture) + "[material]\nfriction = 0.1\nrelative_viscosity = 0.01\n" +
                  "relative_transversal_link_strength = 10\n" + more,
              {"experiment=oscillatory_shear", "physics=deformable", "particles.permanent_links=false"});
-    Packing packing = make_packing(c, nullptr, 0.3, {Places::apart});
+    Packing<2> packing = make_packing(c, nullptr, 0.3, {Places::apart});
     const BodyLaws laws = body_laws(c, packing);
     return sheared_body_step(c, laws, packing);
   };
@@ -244,7 +244,7 @@ TEST(PairsOfCase, PairThatRubsMostBoundsTheStepOfSheared) {
 TEST(PairsOfCase, OnePairAloneMayRub) {
   const std::vector<std::string> sheared{"experiment=oscillatory_shear", "physics=deformable",
                                          "material.friction=0", "material.relative_viscosity=0"};
-  const auto laws_of = [&](const std::string& more, Packing& packing, double& step) {
+  const auto laws_of = [&](const std::string& more, Packing<2>& packing, double& step) {
     const Case c = read(std::string(mixture) + more, sheared);
     packing = make_packing(c, nullptr, 0.3, {Places::apart});
     const BodyLaws laws = body_laws(c, packing);
@@ -252,7 +252,7 @@ TEST(PairsOfCase, OnePairAloneMayRub) {
     add_rheology(laws, packing);
     return laws;
   };
-  Packing smooth, rough;
+  Packing<2> smooth, rough;
   double of_smooth = 0, of_rough = 0;
   const std::string springs =
       "[material]\nrelative_transversal_link_strength = 40\n"

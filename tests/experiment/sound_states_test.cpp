@@ -139,7 +139,7 @@ TEST(SoundStates, AGivenPackingThatIsUnsoundIsBadInput) {
 
 /// A ring that crosses itself is in equilibrium, too: runs that fail later must not hand it over.
 TEST(SoundStates, AnUnsoundEquilibriumIsNoStateToGoBackTo) {
-  Packing packing = make_packing(case_of("shell", 4, 12), nullptr, 0.2);
+  Packing<2> packing = make_packing(case_of("shell", 4, 12), nullptr, 0.2);
   const MinimiseReport first = relax(packing);
   ASSERT_TRUE(first.converged);
   remember(packing, first, look_at(packing));
@@ -166,7 +166,7 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
     c.contact.kind = "smooth";
     c.jamming.pressure = 1e-7;
     c.jamming.packing_fraction = 0.6;
-    Packing packing = make_packing(c, nullptr, c.jamming.packing_fraction);
+    Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
     jam(packing, jam_spec(c));
     const PackingReport r = report_packing(packing);
     std::vector<double> load(r.rattlers.size());
@@ -203,9 +203,9 @@ TEST(SoundStates, TheFractionOnTheWayIsThatOfTheResult) {
     Case c = case_of("droplet", 8, 12);
     c.contact.kind = contact;
     c.jamming.pressure = 1e-3;
-    Packing packing = make_packing(c, nullptr, 0.4);
+    Packing<2> packing = make_packing(c, nullptr, 0.4);
     double last = 0, near = 0;
-    jam(packing, jam_spec(c), [&](const JamProgress& p) {
+    jam(packing, jam_spec(c), [&](const JamProgress<2>& p) {
       last = reached_fraction(packing, p);
       near = p.state.packing_fraction;
       return true;

@@ -45,7 +45,7 @@ double tangent_modulus(Case c, const System<2>& end) {
   for (Vec2& v : state.system.state.velocity) v = {};
   Making making;
   making.flow = Flow::kept;
-  Packing packing = make_packing(c, &state, 0, making);
+  Packing<2> packing = make_packing(c, &state, 0, making);
   add_rheology(body_laws(c, packing), packing);
   const System<2> rest = packing.system;
   const int n = 2 * rest.state.size();

@@ -134,7 +134,7 @@ TEST(Droplets, RestJustBelowTheLargestTension) {
   Case c = small_case("jamming", "droplet");
   c.bodies.gamma = 1.25;
   c.bodies.size_ratio = 1;
-  Packing packing = make_packing(c, nullptr, 0.1);
+  Packing<2> packing = make_packing(c, nullptr, 0.1);
   EXPECT_TRUE(relax(packing).converged);
 }
 

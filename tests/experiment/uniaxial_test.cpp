@@ -26,7 +26,7 @@ Case small_box(const std::string& family = "shell", const std::string& contact =
 
 TEST(UniaxialCompression, ParticlesBeginBetweenTheWalls) {
   for (const char* family : {"shell", "disc", "rough_disc"}) {
-    Packing p = make_boxed_packing(small_box(family), nullptr, 0.5, 1.5);
+    Packing<2> p = make_boxed_packing(small_box(family), nullptr, 0.5, 1.5);
     const State<2>& s = p.system.state;
     const Vec2 length = p.system.box.length;
     EXPECT_NEAR(length[gradient] / length[flow], 1.5, 1e-12);
@@ -72,14 +72,14 @@ TEST_P(UniaxialCompressionOf, WallsBearTheStress) {
 TEST_P(UniaxialCompressionOf, TheWallDoesTheWorkThatIsStored) {
   Case c = small_box(GetParam().family, GetParam().contact);
   c.minimise.force_tolerance = 1e-9;
-  Packing p = make_boxed_packing(c, nullptr, 0.6, 1);
+  Packing<2> p = make_boxed_packing(c, nullptr, 0.6, 1);
   scale_cell(p.system, {0.8, 0.8});
   p.field->invalidate();
   ASSERT_TRUE(relax(p).converged);
   const double force = sum_wall_forces(report_packing(p).evaluation.wall).lid, change = 2e-6;
   ASSERT_GT(force, 1e-3);
   const auto energy = [&](double height_change) {
-    Packing q = p;
+    Packing<2> q = p;
     q.system.box.length[gradient] += height_change;
     q.field->invalidate();
     EXPECT_TRUE(relax(q).converged);

@@ -25,7 +25,7 @@ struct Kind {
 
 class EnergyDrift : public ::testing::TestWithParam<Kind> {};
 
-Packing warm_packing(const Kind& kind, int seed) {
+Packing<2> warm_packing(const Kind& kind, int seed) {
   Case c;
   c.general.experiment = "dynamics";
   c.general.physics = "deformable";
@@ -35,7 +35,7 @@ Packing warm_packing(const Kind& kind, int seed) {
   c.bodies.shape_parameter = kind.shape_parameter;
   c.contact.kind = kind.contact;
   resolve_family(c);
-  Packing packing = make_packing(c, nullptr, 0.8);
+  Packing<2> packing = make_packing(c, nullptr, 0.8);
   draw_velocities(packing.system, 1e-4, seed);
   return packing;
 }
@@ -43,7 +43,7 @@ Packing warm_packing(const Kind& kind, int seed) {
 /// Change of the energy over all steps by the least-squares line through it, relative to it, once kinetic and
 /// potential energy have come to share it.
 double drift(const Kind& kind, double step_factor, int seed = 1) {
-  Packing packing = warm_packing(kind, seed);
+  Packing<2> packing = warm_packing(kind, seed);
   System<2>& s = packing.system;
   Mover dynamics(*packing.field);
   const double dt = step_factor * default_step(s, *packing.field);

@@ -18,14 +18,14 @@ namespace {
 constexpr std::int64_t rows = 1000;
 
 /// The packing with the velocities that the case asks for.
-Packing moving_packing(const Case& c, const InitialState* initial, const Making& making) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, making);
+Packing<2> moving_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing<2> packing = make_packing(c, initial, c.jamming.packing_fraction, making);
   if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
     draw_velocities(packing.system, c.motion.kinetic_energy, c.general.seed);
   return packing;
 }
 
-std::vector<Derived> derived_motion(const Case& c, const Packing& packing, double time_step) {
+std::vector<Derived> derived_motion(const Case& c, const Packing<2>& packing, double time_step) {
   std::vector<Derived> all = derived_packing(packing);
   all.push_back({{"time_step", "", "time step"}, time_step});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
@@ -36,18 +36,18 @@ bool is_sheared(const Case& c) { return c.shear.rate != "0"; }
 
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
   if (is_sheared(c)) return derive_sheared_dynamics(c, initial);
-  Packing packing = moving_packing(c, initial, set_apart);
+  Packing<2> packing = moving_packing(c, initial, set_apart);
   return derived_motion(c, packing, body_time_step(c, packing, initial, conserving_step));
 }
 
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
   if (is_sheared(c)) return run_sheared_dynamics(c, initial, recorder);
-  Packing packing = moving_packing(c, initial, at_random(recorder));
+  Packing<2> packing = moving_packing(c, initial, at_random(recorder));
   System<2>& s = packing.system;
   start_clock(s, c, recorder);
   double dt = body_time_step(c, packing, initial, conserving_step);
   std::int64_t step = 0;
-  LastGood good(packing);
+  LastGood<2> good(packing);
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("good", good);

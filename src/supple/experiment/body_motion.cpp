@@ -10,7 +10,7 @@
 
 namespace supple {
 
-double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit) {
+double body_time_step(const Case& c, Packing<2>& packing, const InitialState* initial, double of_limit) {
   if (initial && !c.is_given("time.step") && !c.is_given("time.step_factor"))
     if (const auto dt = initial->protocol.find("dt"); dt != initial->protocol.end()) return dt->second;
   return c.time.time_step > 0 ? c.time.time_step
@@ -89,7 +89,7 @@ void draw_velocities(System<2>& system, double energy, std::int64_t seed) {
   leave_in_place(system, energy * (free + 1.5 * static_cast<double>(system.rigid.body.size())));
 }
 
-std::vector<Column> motion_columns(const Packing& packing) {
+std::vector<Column> motion_columns(const Packing<2>& packing) {
   return {{"time", "", "time"},
           {"kinetic_energy", "", "kinetic energy"},
           {"potential_energy", "", "energy of shapes, contacts, walls, gravity"},
@@ -98,7 +98,7 @@ std::vector<Column> motion_columns(const Packing& packing) {
           {"height", "", "mean height of the vertices"}};
 }
 
-std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation) {
+std::vector<double> motion_row(const Packing<2>& packing, const Evaluation<2>& evaluation) {
   const System<2>& s = packing.system;
   const KineticEnergy parts = kinetic_energy(s);
   const double kinetic = parts.total(), potential = evaluation.energy.stored();

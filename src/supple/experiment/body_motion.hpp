@@ -11,7 +11,7 @@ namespace supple {
 /// Time step [time]. Without keys of [time] it is that of the run to go on from, so that the bits are the
 /// same; else time.step or, where that is 0, step_factor times the share `of_limit` of the stability limit
 /// (default_step).
-double body_time_step(const Case& c, Packing& packing, const InitialState* initial, double of_limit);
+double body_time_step(const Case& c, Packing<2>& packing, const InitialState* initial, double of_limit);
 
 /// The plastic law of the case; nullopt where preferred shapes stay.
 std::optional<PlasticLaw> plastic_law(const Case& c);
@@ -24,7 +24,7 @@ void put_at_rest(System<2>& system);
 void draw_velocities(System<2>& system, double energy, std::int64_t seed);
 
 /// Columns and a row of the table of a motion: time, energies, pressure, mean height.
-std::vector<Column> motion_columns(const Packing& packing);
-std::vector<double> motion_row(const Packing& packing, const Evaluation<2>& evaluation);
+std::vector<Column> motion_columns(const Packing<2>& packing);
+std::vector<double> motion_row(const Packing<2>& packing, const Evaluation<2>& evaluation);
 
 }  // namespace supple

@@ -38,7 +38,7 @@ constexpr double neighbours = 6;
 
 }  // namespace
 
-BodyLaws body_laws(const Case& c, const Packing& packing) {
+BodyLaws body_laws(const Case& c, const Packing<2>& packing) {
   const State<2>& s = packing.system.state;
   const Material& m = c.material;
   const ContactLaws& contacts = packing.field->bodies()->laws();
@@ -112,13 +112,13 @@ std::vector<Derived> derived_laws(const BodyLaws& laws) {
   return all;
 }
 
-void add_rheology(const BodyLaws& laws, Packing& packing) {
+void add_rheology(const BodyLaws& laws, Packing<2>& packing) {
   if (laws.touch.most([](const TouchLaw& t) { return std::max(t.friction, t.eta); }) > 0)
     packing.field->add(TouchFriction(laws.touch));
   packing.field->add(LinkForces(laws.link));
 }
 
-int crosslink_bodies(const Case& c, Packing& packing) {
+int crosslink_bodies(const Case& c, Packing<2>& packing) {
   Evaluation<2> evaluation;
   packing.field->evaluate(packing.system, Detail::forces, evaluation);
   std::vector<TouchingSites> touching;
@@ -132,7 +132,7 @@ int crosslink_bodies(const Case& c, Packing& packing) {
   return cluster.empty() ? 0 : *std::max_element(cluster.begin(), cluster.end()) + 1;
 }
 
-double sheared_body_step(const Case& c, const BodyLaws& laws, Packing& packing) {
+double sheared_body_step(const Case& c, const BodyLaws& laws, Packing<2>& packing) {
   if (c.time.time_step > 0) return c.time.time_step;
   const std::vector<double>& masses = packing.system.state.mass;
   const double mass = *std::min_element(masses.begin(), masses.end());

@@ -17,20 +17,20 @@ struct BodyLaws {
   /// Those that have laws of their own, and their k.
   std::vector<std::pair<PairOfSpecies, double>> pairs;
 };
-BodyLaws body_laws(const Case& c, const Packing& packing);
+BodyLaws body_laws(const Case& c, const Packing<2>& packing);
 std::vector<Derived> derived_laws(const BodyLaws& laws);
 
 /// Adds friction and viscosity to the contacts of the packing, and the forces of links that exist or will be
 /// made. A law that is off adds nothing.
-void add_rheology(const BodyLaws& laws, Packing& packing);
+void add_rheology(const BodyLaws& laws, Packing<2>& packing);
 
 /// Links vertices that touch into clusters of particles, as the keys of [particles] say. Returns the number
 /// of clusters.
-int crosslink_bodies(const Case& c, Packing& packing);
+int crosslink_bodies(const Case& c, Packing<2>& packing);
 
 /// The step of the leapfrog [time]: time.step if given, else time.step_factor times 0.1 of the stability
 /// limit 2/w (sqrt(1 + z^2) - z), w the largest angular frequency of shapes, contacts and links of a vertex
 /// that six others touch, z its damping ratio [O'Sullivan & Bray 2004, with damping].
-double sheared_body_step(const Case& c, const BodyLaws& laws, Packing& packing);
+double sheared_body_step(const Case& c, const BodyLaws& laws, Packing<2>& packing);
 
 }  // namespace supple

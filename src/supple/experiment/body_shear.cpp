@@ -20,13 +20,13 @@ namespace supple {
 namespace {
 
 /// Particles of the state, or random ones, jammed.
-Packing jammed_packing(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_periodic_packing(c, initial, sheared(at_random(recorder)));
+Packing<2> jammed_packing(const Case& c, const InitialState* initial, Recorder& recorder) {
+  Packing<2> packing = make_periodic_packing(c, initial, sheared(at_random(recorder)));
   restore_sheared(packing, recorder);
   if (initial || resumed_part(recorder) == sheared_part) return packing;
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   WayToJam way(c.jamming.pressure);
-  JamState state;
+  JamState<2> state;
   const Keep keep = in_part("jam", [&](Keeper& k) {
     k("packing", packing);
     k("jam", state);
@@ -34,7 +34,7 @@ Packing jammed_packing(const Case& c, const InitialState* initial, Recorder& rec
   restore(recorder, keep, "jam");
   jam(
       packing, jam_spec(c), state, [&] { recorder.hold(keep, "after minimisation", state.minimisations()); },
-      [&](const JamProgress& p) {
+      [&](const JamProgress<2>& p) {
         recorder.progress("jam", static_cast<std::int64_t>(999 * way.share(p)), 1000);
         return true;
       });
@@ -42,12 +42,12 @@ Packing jammed_packing(const Case& c, const InitialState* initial, Recorder& rec
 }
 
 OscillatoryProtocol protocol_of(const Case& c, const InitialState* initial, const BodyLaws& laws,
-                                Packing& packing) {
+                                Packing<2>& packing) {
   return oscillatory_protocol(c, initial, c.shear.relative_frequency / laws.tau,
                               sheared_body_step(c, laws, packing));
 }
 
-std::vector<Derived> derived_shear(const Packing& packing, const BodyLaws& laws, const OscillatoryProtocol& p,
+std::vector<Derived> derived_shear(const Packing<2>& packing, const BodyLaws& laws, const OscillatoryProtocol& p,
                                    double damping) {
   std::vector<Derived> all = derived_packing(packing);
   for (Derived& d : derived_laws(laws)) all.push_back(std::move(d));
@@ -66,7 +66,7 @@ double damping_of(const Case& c, const OscillatoryProtocol& p) {
 
 /// G'' by what was lost: energy per measured cycle over pi A^2 and the area of the cell.
 double dissipated_modulus(const std::vector<double>& lost, const OscillatoryProtocol& p, int cycles,
-                          const Packing& packing) {
+                          const Packing<2>& packing) {
   const auto end = static_cast<std::size_t>(p.pre_steps + p.shear_steps),
              begin = end - static_cast<std::size_t>(cycles * p.steps_per_period);
   return (lost[end] - lost[begin]) / (cycles * std::numbers::pi * p.amplitude * p.amplitude *
@@ -74,7 +74,7 @@ double dissipated_modulus(const std::vector<double>& lost, const OscillatoryProt
 }
 
 void record_moduli(const BodyStressTable& table, const std::vector<double>& lost,
-                   const OscillatoryProtocol& p, const Packing& packing, Recorder& recorder) {
+                   const OscillatoryProtocol& p, const Packing<2>& packing, Recorder& recorder) {
   const auto record = [&](const char* name, const std::vector<double>& stress, const char* meaning) {
     const StressSeries series{name, meaning, packing.pressure_symbol, table.column("t"), stress};
     return Estimate{name, series.unit, record_modulus(series, windows_of(p), fit_harmonics, recorder)};
@@ -110,7 +110,7 @@ void record_moduli(const BodyStressTable& table, const std::vector<double>& lost
 }
 
 std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initial) {
-  Packing packing = make_periodic_packing(c, initial, sheared(set_apart));
+  Packing<2> packing = make_periodic_packing(c, initial, sheared(set_apart));
   const BodyLaws laws = body_laws(c, packing);
   const OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
   plates_of_bodies(c);
@@ -118,7 +118,7 @@ std::vector<Derived> derive_body_shear(const Case& c, const InitialState* initia
 }
 
 void run_body_shear(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = jammed_packing(c, initial, recorder);
+  Packing<2> packing = jammed_packing(c, initial, recorder);
   const BodyLaws laws = body_laws(c, packing);
   OscillatoryProtocol p = protocol_of(c, initial, laws, packing);
   const bool goes_on = resumed_part(recorder) == sheared_part;

@@ -10,7 +10,7 @@
 
 namespace supple {
 
-BodyStressTable::BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder)
+BodyStressTable::BodyStressTable(const Packing<2>& packing, bool tensors, Recorder& recorder)
     : packing_(packing),
       tensors_(tensors),
       has_plates_(supple::has_plates(packing.system.state)),

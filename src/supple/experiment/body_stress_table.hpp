@@ -11,7 +11,7 @@ namespace supple {
 /// with `tensors`, every component of the virial.
 class BodyStressTable {
  public:
-  BodyStressTable(const Packing& packing, bool tensors, Recorder& recorder);
+  BodyStressTable(const Packing<2>& packing, bool tensors, Recorder& recorder);
   /// Adds a row. The evaluation must hold energies; the strain rate is that of its instant [1/time].
   void append(const Evaluation<2>& evaluation, double strain_rate);
 
@@ -28,7 +28,7 @@ class BodyStressTable {
   /// mean, as the forces that keep them together cancel it.
   double kinetic_moment(const Evaluation<2>& evaluation) const;
 
-  const Packing& packing_;
+  const Packing<2>& packing_;
   bool tensors_, has_plates_;
   Recorder& recorder_;
 };

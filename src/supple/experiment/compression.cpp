@@ -58,7 +58,7 @@ struct NetworkChange {
   double rearranged() const { return displacement > 0.1 && lost + made > 0; }
 };
 
-Snapshot take_snapshot(const Packing& packing, const PackingReport& report) {
+Snapshot take_snapshot(const Packing<2>& packing, const PackingReport& report) {
   Snapshot s{{}, report.rattlers, report.shapes.centre, packing.system.box};
   for (const ContactNetwork::Pair& p : report.network.pairs)
     if (!report.rattlers[p.first] && !report.rattlers[p.second]) s.pairs.push_back(p);
@@ -102,7 +102,7 @@ struct Place : PackingInstant {
   NetworkChange change;
 };
 
-Observables<Place> place_observables(const Packing& packing) {
+Observables<Place> place_observables(const Packing<2>& packing) {
   using P = Place;
   Observables<P> all = packing_observables(packing.pressure_symbol);
   all.add({{{"branch", "", "1: compression, -1: decompression"},
@@ -136,8 +136,8 @@ struct Walk {
   std::vector<double> ascent;  ///< pressures of the way up
   bool has_list = false;
   std::int64_t done = 0;  ///< pressures reached
-  JamState jam;           ///< of the search for the next
-  JamProgress last;
+  JamState<2> jam;           ///< of the search for the next
+  JamProgress<2> last;
   Snapshot before;
   Course up, down;
 
@@ -156,7 +156,7 @@ struct Walk {
 /// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the
 /// part of the branch at the lowest pressures that holds no rearrangement: before and after one it is another
 /// packing.
-void record_onset(const Course& course, const std::string& branch, const Packing& packing, double highest,
+void record_onset(const Course& course, const std::string& branch, const Packing<2>& packing, double highest,
                   Recorder& recorder) {
   const auto fit = fit_onset(course.packing_fraction, course.pressure, course.rearranged, highest);
   if (!fit) return;
@@ -180,7 +180,7 @@ std::vector<Derived> derive_compression(const Case& c, const InitialState* initi
 /// The pressures of the way up. A packing that is compressed already goes on from its pressure, because
 /// decompressing it first would change it. On the way back it goes through all pressures of the list.
 std::vector<double> pressures_above(const Case& c, std::vector<double> list, const InitialState* initial,
-                                    Packing& packing) {
+                                    Packing<2>& packing) {
   if (!initial) return list;
   const MinimiseReport report = relax(packing);
   require_converged(packing, report, "the packing to start from");
@@ -197,7 +197,7 @@ std::vector<double> pressures_above(const Case& c, std::vector<double> list, con
 
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   const std::vector<double> list = pressure_list(c);
-  Packing packing = make_periodic_packing(c, initial, at_random(recorder));
+  Packing<2> packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_compression(c, initial), recorder);
   const Observables<Place> observables = place_observables(packing);
   observables.declare("packing", recorder);
@@ -209,7 +209,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   restore(recorder, keep);
   JamSpec spec = jam_spec(c);
   std::int64_t total = 0;
-  const auto watch = [&](const JamProgress& p) {
+  const auto watch = [&](const JamProgress<2>& p) {
     recorder.progress(
         fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
         walk.done, total);
@@ -219,7 +219,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     spec.pressure = pressure;
     // Contacts that were soft for a while would rearrange a packing that has jammed.
     if (spec.search == JamSearch::pressure && (initial || walk.done > 0)) spec.search = JamSearch::root;
-    JamProgress reached = jam(
+    JamProgress<2> reached = jam(
         packing, spec, walk.jam, [&] { recorder.hold(keep, "on the way to pressure", walk.done + 1); },
         watch);
     reached.evaluations += walk.last.evaluations;

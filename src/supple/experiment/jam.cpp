@@ -13,9 +13,10 @@
 
 namespace supple {
 
-void require_room(const Packing& packing) {
-  const System<2>& s = packing.system;
-  const BodyContacts<2>* contacts = packing.field->bodies();
+template <int Dim>
+void require_room(const Packing<Dim>& packing) {
+  const System<Dim>& s = packing.system;
+  const BodyContacts<Dim>* contacts = packing.field->bodies();
   const std::vector<double> reach = contacts ? reach_of_sites(s, contacts->meeting(), contacts->range())
                                              : reach_of_sites(s, Meeting::sites);
   if (const auto period = short_period(s.box, least_period(s, reach)))
@@ -26,7 +27,8 @@ void require_room(const Packing& packing) {
         "raise bodies.N");
 }
 
-double reached_fraction(const Packing& packing, const JamProgress& progress) {
+template <int Dim>
+double reached_fraction(const Packing<Dim>& packing, const JamProgress<Dim>& progress) {
   return is_minimum(progress) ? covered_fraction(packing) : progress.state.packing_fraction;
 }
 
@@ -36,10 +38,11 @@ bool in_window(const JamSpec& spec, double pressure) {
 
 namespace {
 
+template <int Dim>
 class Search {
  public:
-  Search(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-         const JamCallback& callback)
+  Search(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state, const BeforeMinimisation& before,
+         const JamCallback<Dim>& callback)
       : packing_(packing),
         spec_(spec),
         progress_(state.progress),
@@ -48,7 +51,7 @@ class Search {
         callback_(callback) {}
 
   /// Each turn of the loop is one minimisation.
-  JamProgress run() {
+  JamProgress<Dim> run() {
     for (bool found = false; !found;) {
       if (before_) before_();
       switch (s_.way) {
@@ -63,18 +66,18 @@ class Search {
   }
 
  private:
-  using Way = LineSearchState::Way;
-  using From = LineSearchState::From;
+  using Way = typename LineSearchState<Dim>::Way;
+  using From = typename LineSearchState<Dim>::From;
   static constexpr double smallest = 1e-13, longest_stride = 0.02;
   static constexpr int most_turns = 6, most_narrowed = 200;
 
   /// A state as just minimised, and whether a run may accept it.
-  struct Point : JamPoint {
+  struct Point : JamPoint<Dim> {
     Soundness soundness;
   };
 
   bool start() {
-    const JamPoint given{packing_.system, 0, 0};
+    const JamPoint<Dim> given{packing_.system, 0, 0};
     const Point first = minimised(given, 0);
     keep_sound(first, given);
     s_.low = first;
@@ -154,14 +157,14 @@ class Search {
   /// [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
   bool narrow() {
     if (++s_.narrowed > most_narrowed) throw lost();
-    const JamPoint &low = *s_.low, &high = *s_.high;
+    const JamPoint<Dim> &low = *s_.low, &high = *s_.high;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
     const double below = s_.low_weight * (low.pressure - target),
                  above = s_.high_weight * (high.pressure - target);
     double share =
         low.pressure < 1e-2 * spec_.pressure ? guess_from_above(low, high) : -below / (above - below);
     share = std::clamp(share, 0.02, 0.98);
-    const JamPoint& start = s_.from == From::below ? low : high;
+    const JamPoint<Dim>& start = s_.from == From::below ? low : high;
     const Point next = minimised(start, low.density + share * width);
     keep_sound(next, start);
     if (jammed(next)) return accept(next);
@@ -189,13 +192,12 @@ class Search {
     s_.step = s_.from == From::below ? 0.1 * spec_.step : spec_.step;
   }
 
-  bool jammed(const JamPoint& p) const { return in_window(spec_, p.pressure); }
+  bool jammed(const JamPoint<Dim>& p) const { return in_window(spec_, p.pressure); }
 
   /// The state at `density`, reached from `from`.
-  Point minimised(const JamPoint& from, double density) {
+  Point minimised(const JamPoint<Dim>& from, double density) {
     packing_.system = from.system;
-    const double factor = std::exp(-0.5 * (density - from.density));
-    scale_cell(packing_.system, {factor, factor});
+    scale_cell(packing_.system, std::exp(-(density - from.density) / Dim));
     require_room(packing_);
     packing_.field->invalidate();
     const bool exact = spec_.search == JamSearch::chapter || !(spec_.coarse > 0);
@@ -217,7 +219,7 @@ class Search {
   bool unsound(const Point& p) const { return must_stop(packing_, p.soundness); }
 
   /// Ends the search with the packing at `before` where the point is one that no run may accept.
-  void keep_sound(const Point& point, const JamPoint& before) {
+  void keep_sound(const Point& point, const JamPoint<Dim>& before) {
     if (!unsound(point)) return;
     packing_.system = before.system;
     packing_.field->invalidate();
@@ -258,10 +260,12 @@ class Search {
   double force_at(double pressure) const {
     double diameter = 0;
     for (const double r : packing_.system.state.radius) diameter += 2 * r / packing_.system.state.size();
-    return pressure * packing_.pressure_unit * diameter;
+    double force = pressure * packing_.pressure_unit;
+    for (int d = 1; d < Dim; ++d) force *= diameter;
+    return force;
   }
 
-  bool accept(const JamPoint& p) {
+  bool accept(const JamPoint<Dim>& p) {
     require_converged(packing_, progress_.last, "the jammed state");
     packing_.system = p.system;
     return true;
@@ -269,7 +273,7 @@ class Search {
 
   /// Where the line through the last two states above meets the target, as a share of the interval; its
   /// middle before there are two.
-  double guess_from_above(const JamPoint& low, const JamPoint& high) const {
+  double guess_from_above(const JamPoint<Dim>& low, const JamPoint<Dim>& high) const {
     if (!(s_.slope > 0)) return 0.5;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
     const double share = 1 - (high.pressure - target) / s_.slope / width;
@@ -277,7 +281,7 @@ class Search {
   }
 
   Error lost() {
-    const JamPoint low = *s_.low, high = s_.high.value_or(low);
+    const JamPoint<Dim> low = *s_.low, high = s_.high.value_or(low);
     packing_.system = low.system;
     return numerics_error(
         fmt::format("no packing with 1 < P/{:.3g} < {:.4g} was found", spec_.pressure, 1 + spec_.window),
@@ -289,28 +293,43 @@ class Search {
                                   : "widen jamming.window, or take another seed");
   }
 
-  Packing& packing_;
+  Packing<Dim>& packing_;
   const JamSpec& spec_;
-  JamProgress& progress_;
-  LineSearchState& s_;
+  JamProgress<Dim>& progress_;
+  LineSearchState<Dim>& s_;
   const BeforeMinimisation& before_;
-  const JamCallback& callback_;
+  const JamCallback<Dim>& callback_;
 };
 
 }  // namespace
 
-JamProgress jam(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-                const JamCallback& callback) {
-  if (spec.search != JamSearch::pressure) return Search(packing, spec, state, before, callback).run();
+template <int Dim>
+JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state,
+                     const BeforeMinimisation& before,
+                     const std::type_identity_t<JamCallback<Dim>>& callback) {
+  if (spec.search != JamSearch::pressure) return Search<Dim>(packing, spec, state, before, callback).run();
   if (jam_at_pressure(packing, spec, state, before, callback)) return state.progress;
   JamSpec root = spec;
   root.search = JamSearch::root;
-  return Search(packing, root, state, before, callback).run();
+  return Search<Dim>(packing, root, state, before, callback).run();
 }
 
-JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback) {
-  JamState state;
+template <int Dim>
+JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec,
+                     const std::type_identity_t<JamCallback<Dim>>& callback) {
+  JamState<Dim> state;
   return jam(packing, spec, state, {}, callback);
 }
+
+template void require_room(const Packing<2>&);
+template double reached_fraction(const Packing<2>&, const JamProgress<2>&);
+template JamProgress<2> jam(Packing<2>&, const JamSpec&, JamState<2>&, const BeforeMinimisation&,
+                            const JamCallback<2>&);
+template JamProgress<2> jam(Packing<2>&, const JamSpec&, const JamCallback<2>&);
+template void require_room(const Packing<3>&);
+template double reached_fraction(const Packing<3>&, const JamProgress<3>&);
+template JamProgress<3> jam(Packing<3>&, const JamSpec&, JamState<3>&, const BeforeMinimisation&,
+                            const JamCallback<3>&);
+template JamProgress<3> jam(Packing<3>&, const JamSpec&, const JamCallback<3>&);
 
 }  // namespace supple

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
 
 #include "supple/experiment/packing.hpp"
 
@@ -33,8 +34,9 @@ struct JamSpec {
 JamSpec jam_spec(const Case& c);
 
 /// The state after a minimisation, and the work so far.
+template <int Dim>
 struct JamProgress {
-  PackingState state;
+  PackingState<Dim> state;
   MinimiseReport last;
   long minimisations = 0, evaluations = 0, unconverged = 0;
   bool settled = true;   ///< the state is a minimum of the energy to the full tolerance
@@ -54,18 +56,22 @@ struct JamProgress {
   }
 };
 /// Whether the state is a minimum with contacts as they are at this stage of the search.
-inline bool is_minimum(const JamProgress& p) { return p.settled || (p.stiffness < 1 && p.last.converged); }
+template <int Dim>
+bool is_minimum(const JamProgress<Dim>& p) { return p.settled || (p.stiffness < 1 && p.last.converged); }
 /// The packing fraction that the search has reached; of a minimum the exact one, as it will be reported.
-double reached_fraction(const Packing& packing, const JamProgress& progress);
+template <int Dim>
+double reached_fraction(const Packing<Dim>& packing, const JamProgress<Dim>& progress);
 /// Called after each minimisation; returns false to stop.
-using JamCallback = std::function<bool(const JamProgress&)>;
+template <int Dim>
+using JamCallback = std::function<bool(const JamProgress<Dim>&)>;
 
 /// Called before each minimisation, where the search can go on from its state.
 using BeforeMinimisation = std::function<void()>;
 
 /// A state of the search on a line of packing fractions.
+template <int Dim>
 struct JamPoint {
-  System<2> system;
+  System<Dim> system;
   double density = 0;  ///< ln phi + constant
   double pressure = 0;
 
@@ -77,6 +83,7 @@ struct JamPoint {
 };
 
 /// How far the search along the packing fraction has got (JamSearch::chapter and root).
+template <int Dim>
 struct LineSearchState {
   /// What the next minimisation is for.
   enum class Way { start, halve, stride, descend, root };
@@ -84,7 +91,7 @@ struct LineSearchState {
   /// jammed at densities at which it had not jammed on the way up.
   enum class From { below, above };
   Way way = Way::start;
-  std::optional<JamPoint> low, high;  ///< the last states below and above the pressure
+  std::optional<JamPoint<Dim>> low, high;  ///< the last states below and above the pressure
   double step = 0;                    ///< the next, of ln phi
   From from = From::below;
   double low_weight = 1, high_weight = 1;
@@ -106,10 +113,11 @@ struct LineSearchState {
 };
 
 /// How far the search at a pressure has got (JamSearch::pressure).
+template <int Dim>
 struct PressState {
   enum class Part { approach, soften, harden, failed };
   Part part = Part::approach;
-  std::optional<System<2>> good;  ///< in the approach: the last sound state; then where it led
+  std::optional<System<Dim>> good;  ///< in the approach: the last sound state; then where it led
   double step = 0;                ///< of the approach, of ln phi
   int stage = 0;                  ///< of softened contacts
   int round = 0, losses = 0;      ///< of hardened contacts
@@ -131,10 +139,11 @@ struct PressState {
 };
 
 /// How far a search has got: with the packing all that it needs to go on.
+template <int Dim>
 struct JamState {
-  JamProgress progress;
-  PressState press;
-  LineSearchState line;
+  JamProgress<Dim> progress;
+  PressState<Dim> press;
+  LineSearchState<Dim> line;
 
   std::int64_t minimisations() const { return progress.minimisations; }
   void keep(Keeper& k) {
@@ -146,15 +155,17 @@ struct JamState {
 
 /// Searches by minima of the enthalpy (JamSearch::pressure). False if these do not lead to a packing in the
 /// window; the packing is then where its particles first pressed on each other.
-bool jam_at_pressure(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-                     const JamCallback& callback);
+template <int Dim>
+bool jam_at_pressure(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state, const BeforeMinimisation& before,
+                     const JamCallback<Dim>& callback);
 
 /// Whether 1 < pressure/spec.pressure < 1 + spec.window.
 bool in_window(const JamSpec& spec, double pressure);
 
 /// Throws an input error where the cell is so small that a body meets itself, or one neighbour through two
 /// images.
-void require_room(const Packing& packing);
+template <int Dim>
+void require_room(const Packing<Dim>& packing);
 
 /// Takes the packing to the wanted pressure by isotropic compression. Throws a numerics error where no state
 /// in the window exists within rounding (the packing is then at the last state below), and where a
@@ -162,9 +173,12 @@ void require_room(const Packing& packing);
 /// `relaxed`). Throws `interrupted` where the callback returns false (the packing is as just minimised) or
 /// the user stops a minimisation (the packing is at `relaxed`), and an input error where the cell gets too
 /// small for its particles.
-JamProgress jam(Packing& packing, const JamSpec& spec, const JamCallback& callback = {});
+template <int Dim>
+JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec,
+                     const std::type_identity_t<JamCallback<Dim>>& callback = {});
 /// The same from where `state` says that the search is.
-JamProgress jam(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-                const JamCallback& callback);
+template <int Dim>
+JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state,
+                     const BeforeMinimisation& before, const std::type_identity_t<JamCallback<Dim>>& callback);
 
 }  // namespace supple

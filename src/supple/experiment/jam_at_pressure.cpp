@@ -13,9 +13,10 @@ namespace supple {
 namespace {
 
 /// Contacts of another stiffness for as long as it lives.
+template <int Dim>
 class Softened {
  public:
-  Softened(BodyContacts<2>& contacts, double factor) : contacts_(contacts), laws_(contacts.laws()) {
+  Softened(BodyContacts<Dim>& contacts, double factor) : contacts_(contacts), laws_(contacts.laws()) {
     contacts_.set_laws(laws_.map([&](const BodyLaw& law) { return law.stiffer(factor); }));
   }
   ~Softened() { contacts_.set_laws(laws_); }
@@ -23,7 +24,7 @@ class Softened {
   Softened& operator=(const Softened&) = delete;
 
  private:
-  BodyContacts<2>& contacts_;
+  BodyContacts<Dim>& contacts_;
   ContactLaws laws_;
 };
 
@@ -45,10 +46,11 @@ void append_tenths(std::vector<Stage>& stages, Stage end) {
   if (steps > 0) stages.push_back(end);
 }
 
+template <int Dim>
 class Press {
  public:
-  Press(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-        const JamCallback& callback)
+  Press(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state, const BeforeMinimisation& before,
+        const JamCallback<Dim>& callback)
       : packing_(packing),
         spec_(spec),
         progress_(state.progress),
@@ -84,7 +86,7 @@ class Press {
   }
 
  private:
-  using Part = PressState::Part;
+  using Part = typename PressState<Dim>::Part;
   static constexpr int most_rounds = 20, most_pressed = 100;
   static constexpr double longest_stride = 0.02;
   /// How far a contact yields at first under the force that one particle bears, at most: as a share of the
@@ -104,7 +106,7 @@ class Press {
     const std::vector<Stage> stages = stages_to_the_end();
     for (; s_.stage < static_cast<int>(stages.size()); ++s_.stage, s_.pressed = 0) {
       const Stage& stage = stages[s_.stage];
-      const Softened soft(*packing_.field->bodies(), stage.stiffness);
+      const Softened<Dim> soft(*packing_.field->bodies(), stage.stiffness);
       progress_.stiffness = stage.stiffness;
       const double share = stage.pressure > 1 ? spec_.coarse : 0.01 * spec_.coarse;
       const bool sound = press(stage.pressure, coarse_tolerance(share));
@@ -156,7 +158,7 @@ class Press {
 
   /// How far contacts yield under the force that one particle bears in this stage [length].
   double yield(const Stage& stage) const {
-    const double force = stage.pressure * spec_.pressure * packing_.pressure_unit * mean_body_diameter();
+    const double force = on_area(stage.pressure * spec_.pressure * packing_.pressure_unit, mean_body_diameter());
     const double softest = packing_.field->bodies()->laws().least(
         [&](const BodyLaw& law) { return law.spring(mean_diameter()); });
     return force / (stage.stiffness * softest);
@@ -165,12 +167,18 @@ class Press {
   /// `share` of a typical contact force at the wanted pressure, or the tolerance of the end if that is more.
   ForceTolerance coarse_tolerance(double share) const {
     const ForceTolerance& exact = packing_.tolerance;
-    const double force = spec_.pressure * packing_.pressure_unit * mean_diameter();
+    const double force = on_area(spec_.pressure * packing_.pressure_unit, mean_diameter());
     return {std::max(exact.relative, share), std::max(exact.least, share * force)};
   }
 
+  /// What this pressure is on a line (3D: a square) of this length [force].
+  static double on_area(double pressure, double length) {
+    for (int d = 1; d < Dim; ++d) pressure *= length;
+    return pressure;
+  }
+
   double mean_body_diameter() const {
-    const System<2>& s = packing_.system;
+    const System<Dim>& s = packing_.system;
     const int bodies = s.topology.body_count(s.state.size());
     double sum = 0;
     for (int b = 0; b < bodies; ++b) sum += 2 * outer_radius(s, b);
@@ -206,8 +214,7 @@ class Press {
       s_.good = packing_.system;
       count(report, report.converged);
       if (progress_.state.pressure > (report.converged ? 0.1 : 5.0) * spec_.pressure) return;
-      const double factor = std::exp(-0.5 * s_.step);
-      scale_cell(packing_.system, {factor, factor});
+      scale_cell(packing_.system, std::exp(-s_.step / Dim));
       s_.step = std::min(1.3 * s_.step, std::max(spec_.step, longest_stride));
       require_room(packing_);
       packing_.field->invalidate();
@@ -223,7 +230,7 @@ class Press {
       const double wanted = times * spec_.pressure * (1 + 0.5 * spec_.window), ratio = s_.ratio,
                    length = packing_.system.box.length[0];
       packing_.field->invalidate();
-      CellObjective<2> objective(packing_.system, *packing_.field, tolerance, {true, false},
+      CellObjective<Dim> objective(packing_.system, *packing_.field, tolerance, {true, false},
                                  ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
       // The numbers of an objective are those of the cell at its construction, and its pressure is that of
@@ -252,7 +259,7 @@ class Press {
   /// of the two is measured whenever the former is about right.
   void learn_ratio(double pressure) {
     if (!packing_.contact_pressure) return;
-    const PackingState s = observe(packing_);
+    const PackingState<Dim> s = observe(packing_);
     const bool balanced = std::abs(s.full_pressure - pressure) < 0.1 * pressure;
     if (balanced && s.contact_pressure > 0)
       s_.ratio = std::clamp(s.full_pressure / s.contact_pressure, 0.1, 100.0);
@@ -276,19 +283,25 @@ class Press {
       throw Error(ErrorKind::interrupted, "interrupted while searching for the jammed state");
   }
 
-  Packing& packing_;
+  Packing<Dim>& packing_;
   const JamSpec& spec_;
-  JamProgress& progress_;
-  PressState& s_;
+  JamProgress<Dim>& progress_;
+  PressState<Dim>& s_;
   const BeforeMinimisation& before_;
-  const JamCallback& callback_;
+  const JamCallback<Dim>& callback_;
 };
 
 }  // namespace
 
-bool jam_at_pressure(Packing& packing, const JamSpec& spec, JamState& state, const BeforeMinimisation& before,
-                     const JamCallback& callback) {
-  return Press(packing, spec, state, before, callback).run();
+template <int Dim>
+bool jam_at_pressure(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state,
+                     const BeforeMinimisation& before, const JamCallback<Dim>& callback) {
+  return Press<Dim>(packing, spec, state, before, callback).run();
 }
+
+template bool jam_at_pressure(Packing<2>&, const JamSpec&, JamState<2>&, const BeforeMinimisation&,
+                              const JamCallback<2>&);
+template bool jam_at_pressure(Packing<3>&, const JamSpec&, JamState<3>&, const BeforeMinimisation&,
+                              const JamCallback<3>&);
 
 }  // namespace supple

@@ -22,7 +22,7 @@ JamSpec jam_spec(const Case& c) {
 namespace {
 
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
-  const Packing packing = make_periodic_packing(c, initial, set_apart);
+  const Packing<2> packing = make_periodic_packing(c, initial, set_apart);
   std::vector<Derived> all = derived_equilibria(packing);
   all.push_back({{"evaluations", "", "force evaluations, within a factor of about two"},
                  evaluations_to_jam(packing.system.state.size())});
@@ -30,10 +30,10 @@ std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) 
 }
 
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_periodic_packing(c, initial, at_random(recorder));
+  Packing<2> packing = make_periodic_packing(c, initial, at_random(recorder));
   begin_packing(packing, derived_equilibria(packing), recorder);
   const std::string& unit = packing.pressure_symbol;
-  using P = JamProgress;
+  using P = JamProgress<2>;
   const Observables<P> observables{
       {{"packing_fraction", "", "covered area over area of the cell"},
        [&](const P& p) { return reached_fraction(packing, p); }},
@@ -50,13 +50,13 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
        [&](const P&) { return static_cast<double>(look_at(packing).bodies()); }}};
   observables.declare("packing", recorder);
   WayToJam way(c.jamming.pressure);
-  JamState state;
+  JamState<2> state;
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("jam", state);
   };
   restore(recorder, keep);
-  const auto watch = [&](const JamProgress& p) {
+  const auto watch = [&](const JamProgress<2>& p) {
     if (is_minimum(p)) observables.append("packing", p, recorder);
     recorder.progress(
         fmt::format("jam: phi = {:.4f}, P = {:.2e}", reached_fraction(packing, p), p.state.pressure),
@@ -67,7 +67,7 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
     JamSpec spec = jam_spec(c);
     if (initial && spec.search == JamSearch::pressure)
       spec.search = JamSearch::root;  // soft contacts would rearrange it
-    const JamProgress end = jam(
+    const JamProgress<2> end = jam(
         packing, spec, state, [&] { recorder.hold(keep, "after minimisation", state.minimisations()); },
         watch);
     recorder.progress("jam", 1000, 1000);

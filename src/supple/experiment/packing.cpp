@@ -36,7 +36,8 @@ void keep(Keeper& k, MinimiseReport& report) {
   k("reason", report.reason);
 }
 
-void Packing::keep(Keeper& k) {
+template <int Dim>
+void Packing<Dim>::keep(Keeper& k) {
   k("system", system);
   k("pressure_unit", pressure_unit);
   k("pressure_symbol", pressure_symbol);
@@ -53,7 +54,8 @@ namespace {
 
 Harmonic springs_of(const Case& c) { return {c.contact.k_c, c.bodies.stiffness == "relative"}; }
 
-double mean_radius(const System<2>& system) {
+template <int Dim>
+double mean_radius(const System<Dim>& system) {
   double sum = 0;
   for (double r : system.state.radius) sum += r;
   return sum / system.state.size();
@@ -103,7 +105,7 @@ void check_initial(const Case& c, const InitialState* initial, const Making& mak
 bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
 
 /// What acts on particles of a state from outside: walls where its cell is not periodic, and gravity.
-void surround(const Case& c, const Environment& environment, Packing& p) {
+void surround(const Case& c, const Environment& environment, Packing<2>& p) {
   p.field->external().gravity = environment.gravity;
   if (is_periodic(p.system)) return;
   WallLaw<2> walls = wall_law(c);
@@ -146,10 +148,10 @@ void check_tension(const System<2>& s) {
 }
 
 /// What the case says of these particles.
-Packing packing_of(const Case& c, System<2> system, Places places = Places::random) {
+Packing<2> packing_of(const Case& c, System<2> system, Places places = Places::random) {
   require_sane(system, "this packing");
   check_tension(system);
-  Packing p;
+  Packing<2> p;
   p.system = std::move(system);
   p.field = std::make_unique<ForceField<2>>(make_body_field(c));
   p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
@@ -202,10 +204,10 @@ System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
 namespace {
 
 /// The particles of a state, or random ones of the case.
-Packing packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+Packing<2> packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
                      const Enclosure& enclosure, const Making& making) {
   check_initial(c, initial, making);
-  Packing p;
+  Packing<2> p;
   if (initial) {
     p = packing_of(c, given_system(c, *initial, making.flow));
   } else if (making.places == Places::apart) {
@@ -225,14 +227,14 @@ Packing packing_from(const Case& c, const InitialState* initial, double packing_
 
 }  // namespace
 
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
                      const Making& making) {
-  Packing p = packing_from(c, initial, packing_fraction_wanted, {}, making);
+  Packing<2> p = packing_from(c, initial, packing_fraction_wanted, {}, making);
   if (initial) surround(c, initial->environment, p);
   return p;
 }
 
-Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
+Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
                            double aspect_ratio, const Making& making) {
   if (initial && (initial->system.box.periodic[0] || initial->system.box.periodic[1]))
     throw input_error("the state to start from is periodic",
@@ -243,14 +245,14 @@ Packing make_boxed_packing(const Case& c, const InitialState* initial, double pa
         "the state to start from lies under gravity, or without some of the walls",
         fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
         "start from a run of it, or from [bodies]");
-  Packing p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
+  Packing<2> p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
   WallLaw<2> walls = wall_law(c);
   walls.floor_friction = 0;  // friction has no energy to minimise
   p.field->set_walls(walls);
   return p;
 }
 
-Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
+Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
   if (initial && !is_periodic(initial->system))
     throw input_error("the state to start from lies between walls",
                       fmt::format("{} needs a periodic cell", c.general.experiment),
@@ -258,24 +260,26 @@ Packing make_periodic_packing(const Case& c, const InitialState* initial, const 
   return make_packing(c, initial, c.jamming.packing_fraction, making);
 }
 
-double covered_fraction(const Packing& packing) {
+template <int Dim>
+double covered_fraction(const Packing<Dim>& packing) {
   return packing.outline == Outline::rough ? rough_sum(packing.system).total
                                            : packing_fraction(packing.system, packing.outline).total;
 }
 
-PackingState observe(Packing& packing) {
-  Evaluation<2> all, contacts;
+template <int Dim>
+PackingState<Dim> observe(Packing<Dim>& packing) {
+  Evaluation<Dim> all, contacts;
   packing.field->evaluate(packing.system, Detail::energies, all);
   contacts.force.resize(all.force.size());
   contacts.torque.resize(all.force.size());
   packing.field->bodies()->evaluate(packing.system, Detail::energies, contacts);
   const double scale = 1 / (packing.system.box.volume() * packing.pressure_unit);
-  PackingState s;
+  PackingState<Dim> s;
   s.packing_fraction = packing.covered_area * (area_of_shapes(packing.system) / packing.shape_area) /
                        packing.system.box.volume();
   s.stress = scale * all.virial;
-  s.full_pressure = 0.5 * (s.stress[0][0] + s.stress[1][1]);
-  s.contact_pressure = 0.5 * scale * (contacts.virial[0][0] + contacts.virial[1][1]);
+  s.full_pressure = pressure(s.stress);
+  s.contact_pressure = scale * pressure(contacts.virial);
   s.pressure = packing.contact_pressure ? s.contact_pressure : s.full_pressure;
   s.energy = all.energy.stored();
   return s;

@@ -25,20 +25,21 @@ void keep(Keeper& k, MinimiseReport& report);
 enum class OnUnsound { stop, mark };
 
 /// Everything that an experiment on bodies needs. Pressures that users see are in units of `pressure_unit`.
+template <int Dim>
 struct Packing {
-  System<2> system;
-  Owned<ForceField<2>> field;
+  System<Dim> system;
+  Owned<ForceField<Dim>> field;
   Outline outline = Outline::rough;
-  double pressure_unit = 1;                ///< k_a a0 of a small particle; k_c for discs and rigid particles
+  double pressure_unit = 1;                ///< k_a a0 (3D: k_v v0) of a small particle; k_c for discs and rigid ones
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
   ForceTolerance tolerance;
   MinimiseSpec minimise;
   bool contact_pressure = false;  ///< P is that of contacts alone
-  double covered_area = 0;        ///< by all bodies when the packing was made [length^2]
-  double shape_area = 0;          ///< of their polygons and discs then, overlaps counted twice
+  double covered_area = 0;        ///< (3D: volume) by all bodies when the packing was made [length^Dim]
+  double shape_area = 0;          ///< of their polygons (surfaces) and discs then, overlaps counted twice
   OnUnsound on_unsound = OnUnsound::stop;
-  Box<2> cell;                       ///< at first: that of the system, except for particles set apart
-  std::optional<System<2>> relaxed;  ///< the last sound state in equilibrium: remember()
+  Box<Dim> cell;                     ///< at first: that of the system, except for particles set apart
+  std::optional<System<Dim>> relaxed;  ///< the last sound state in equilibrium: remember()
 
   /// All that a case does not say, for a packing that was made from the same case.
   void keep(Keeper& k);
@@ -63,18 +64,18 @@ struct Making {
 
 /// The particles of the case at random positions without overlap in a square periodic cell of this packing
 /// fraction, or the particles of `initial`. Throws input errors where the case asks for what cannot be.
-Packing make_packing(const Case& c, const InitialState* initial, double packing_fraction,
+Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction,
                      const Making& making = {});
 
 /// The same between four walls, with this height over width; as far as there is room no particle reaches
 /// beyond a wall. The packing fraction is of the area between the walls. A state keeps its own box; input
 /// error where that is periodic, under gravity or without some of the walls.
-Packing make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
+Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
                            double aspect_ratio, const Making& making = {});
 
 /// make_packing() for experiments that change the size of the cell, at jamming.packing_fraction. Input error
 /// where `initial` is not periodic.
-Packing make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
+Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// The force field that the case describes.
 ForceField<2> make_body_field(const Case& c);
@@ -85,10 +86,11 @@ WallLaw<2> wall_law(const Case& c);
 /// What a search needs to know of a packing at rest. The packing fraction is an estimate: the area covered at
 /// first, times the change of the area of polygons and discs since, over the area of the cell.
 /// covered_fraction() is right and takes longer.
+template <int Dim>
 struct PackingState {
   double packing_fraction = 0, pressure = 0, contact_pressure = 0,
          full_pressure = 0;  ///< pressures in pressure_unit
-  Mat2 stress;               ///< in pressure_unit
+  Mat<Dim> stress;           ///< in pressure_unit
   double energy = 0;
 
   void keep(Keeper& k) {
@@ -104,29 +106,36 @@ struct PackingState {
 /// Minimises the energy in the present cell. Where it does not converge the report says so; this is no error.
 /// Where the user asks to stop, or energies are not finite, the packing goes back to `relaxed` and an error
 /// is thrown.
-MinimiseReport relax(Packing& packing, const MinimiseCallback& callback = {});
+template <int Dim>
+MinimiseReport relax(Packing<Dim>& packing, const MinimiseCallback& callback = {});
 
 /// Keeps the state as `relaxed` if its minimisation converged and no run must stop at it (must_stop).
-void remember(Packing& packing, const MinimiseReport& report, const Soundness& soundness);
+template <int Dim>
+void remember(Packing<Dim>& packing, const MinimiseReport& report, const Soundness& soundness);
 
 /// Throws a numerics error, with the packing back at `relaxed`, where a minimisation has not reached its
 /// tolerance; `where` names the state in the error.
-void require_converged(Packing& packing, const MinimiseReport& report, const std::string& where);
+template <int Dim>
+void require_converged(Packing<Dim>& packing, const MinimiseReport& report, const std::string& where);
 
 /// Goes back to `relaxed` and throws where a minimisation was interrupted or met numbers that are not finite.
-void require_going_on(Packing& packing, const MinimiseReport& report);
+template <int Dim>
+void require_going_on(Packing<Dim>& packing, const MinimiseReport& report);
 
 /// A lower bound [energy] of the energy U of an equilibrium at this pressure P [pressure_unit] with the
 /// present contacts. The inequality of Cauchy and Schwarz gives 2 P A = sum f r <= sqrt(2 U K) with K = sum k
 /// r^2 over all springs, A the area of the cell. 0 where line tension makes pressure without energy, and
 /// where contacts are not harmonic.
-double least_energy(Packing& packing, double pressure);
+template <int Dim>
+double least_energy(Packing<Dim>& packing, double pressure);
 
 /// The packing fraction as it is now; for rough particles by rough_sum(), which is much faster and as good
 /// unless overlaps are deep.
-double covered_fraction(const Packing& packing);
+template <int Dim>
+double covered_fraction(const Packing<Dim>& packing);
 
 /// Pressures, stress, energy and estimated packing fraction of the present state.
-PackingState observe(Packing& packing);
+template <int Dim>
+PackingState<Dim> observe(Packing<Dim>& packing);
 
 }  // namespace supple

@@ -15,7 +15,7 @@ namespace supple {
 namespace {
 
 /// Stress of each body on its covered area, and the pressure that it means.
-void add_body_stresses(Frame& frame, const Packing& packing, const PackingReport& r) {
+void add_body_stresses(Frame& frame, const Packing<2>& packing, const PackingReport& r) {
   std::vector<Mat2> stresses = r.stresses.of_bodies(r.fraction.area);
   for (Mat2& stress : stresses) {
     stress = (1 / packing.pressure_unit) * stress;
@@ -25,7 +25,7 @@ void add_body_stresses(Frame& frame, const Packing& packing, const PackingReport
 }
 
 /// Energies of the whole by term and, where the particles fill a cell, its stress and that of the contacts.
-void add_numbers(Frame& frame, const Packing& packing, const PackingReport& r, Surroundings surroundings) {
+void add_numbers(Frame& frame, const Packing<2>& packing, const PackingReport& r, Surroundings surroundings) {
   const EnergyParts& e = r.evaluation.energy;
   frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system, r.evaluation).total()},
                    {"shape_energy", e.terms},
@@ -46,7 +46,7 @@ std::vector<double> as_numbers(const std::vector<T>& values) {
   return {values.begin(), values.end()};
 }
 
-void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorder) {
+void warn(const PackingReport& r, const JamProgress<2>& progress, Recorder& recorder) {
   if (!r.soundness.sound())
     recorder.warning(
         fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
@@ -59,7 +59,7 @@ void warn(const PackingReport& r, const JamProgress& progress, Recorder& recorde
 
 }  // namespace
 
-std::vector<Derived> derived_packing(const Packing& packing) {
+std::vector<Derived> derived_packing(const Packing<2>& packing) {
   const System<2>& s = packing.system;
   return {
       {{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
@@ -70,7 +70,7 @@ std::vector<Derived> derived_packing(const Packing& packing) {
       {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
 }
 
-std::vector<Derived> derived_equilibria(const Packing& packing) {
+std::vector<Derived> derived_equilibria(const Packing<2>& packing) {
   std::vector<Derived> all = derived_packing(packing);
   all.push_back({{"force_tolerance", "mean contact force", "largest net force in equilibrium"},
                  packing.tolerance.relative});
@@ -79,7 +79,7 @@ std::vector<Derived> derived_equilibria(const Packing& packing) {
   return all;
 }
 
-void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder) {
+void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, Recorder& recorder) {
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   if (recorder.began()) return;
   recorder.begin(make_run_info(packing.system, reduced_units()));
@@ -110,7 +110,7 @@ std::vector<SiteContact> with_links(std::vector<SiteContact> contacts, const Sys
 
 }  // namespace
 
-PackingReport report_packing(Packing& packing, const PresentMotion<2>& now) {
+PackingReport report_packing(Packing<2>& packing, const PresentMotion<2>& now) {
   PackingReport r;
   r.evaluation.now = now;
   System<2>& s = packing.system;
@@ -160,7 +160,7 @@ Observables<PackingInstant> packing_observables(const std::string& symbol) {
        [](const P& p) { return static_cast<double>(p.report.soundness.bodies()); }}};
 }
 
-Frame packing_frame(const Packing& packing, const PackingReport& r, Surroundings surroundings) {
+Frame packing_frame(const Packing<2>& packing, const PackingReport& r, Surroundings surroundings) {
   Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->laws());
   add_body_stresses(frame, packing, r);
   add_numbers(frame, packing, r, surroundings);
@@ -175,7 +175,7 @@ Frame packing_frame(const Packing& packing, const PackingReport& r, Surroundings
 namespace {
 
 /// Walls and gravity as they are now, for a continuation.
-void record_environment(const Packing& packing, Recorder& recorder) {
+void record_environment(const Packing<2>& packing, Recorder& recorder) {
   const Environment environment = environment_of(packing);
   for_each_wall(environment, [&](const std::string& name, bool stands) {
     recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"},
@@ -186,14 +186,14 @@ void record_environment(const Packing& packing, Recorder& recorder) {
 
 }  // namespace
 
-Environment environment_of(const Packing& packing) {
+Environment environment_of(const Packing<2>& packing) {
   Environment e;
   if (const auto& walls = packing.field->walls()) e.stands = walls->stands;
   e.gravity = packing.field->external().gravity;
   return e;
 }
 
-void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
+void record_packing(Packing<2>& packing, const JamProgress<2>& progress, Recorder& recorder,
                     Surroundings surroundings, const PresentMotion<2>& now) {
   const PackingReport r = report_packing(packing, now);
   recorder.frame(packing_frame(packing, r, surroundings));
@@ -235,11 +235,11 @@ void record_packing(Packing& packing, const JamProgress& progress, Recorder& rec
   recorder.final_state(packing.system, r.evaluation);
 }
 
-void hand_over_packing(Packing& packing, Recorder& recorder) {
+void hand_over_packing(Packing<2>& packing, Recorder& recorder) {
   hand_over(packing, recorder);  // whatever can be said of it
   try {
     const PackingReport r = report_packing(packing);
-    JamProgress work;
+    JamProgress<2> work;
     work.minimisations = 1;  // it rests: no kinetic part
     packing_observables(packing.pressure_symbol)
         .record({packing, r, work}, recorder,
@@ -249,7 +249,7 @@ void hand_over_packing(Packing& packing, Recorder& recorder) {
   }
 }
 
-void hand_over(Packing& packing, Recorder& recorder) {
+void hand_over(Packing<2>& packing, Recorder& recorder) {
   Evaluation<2> evaluation;
   packing.field->evaluate(packing.system, Detail::energies, evaluation);
   record_environment(packing, recorder);

@@ -19,13 +19,13 @@ inline Making at_random(Recorder& recorder) {
 }
 
 /// Numbers of a packing that are known before the run.
-std::vector<Derived> derived_packing(const Packing& packing);
+std::vector<Derived> derived_packing(const Packing<2>& packing);
 /// The same for experiments that minimise, with the tolerances of equilibrium.
-std::vector<Derived> derived_equilibria(const Packing& packing);
+std::vector<Derived> derived_equilibria(const Packing<2>& packing);
 
 /// Begins the run, if it has not begun: records sizes, bodies and constants. From then on minimisations of
 /// the packing stop when the recorder asks for it.
-void begin_packing(Packing& packing, const std::vector<Derived>& constants, Recorder& recorder);
+void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, Recorder& recorder);
 
 /// Everything that is recorded of a packing at one instant.
 struct PackingReport {
@@ -42,7 +42,7 @@ struct PackingReport {
   Soundness soundness;
 };
 /// `now`: velocities that dashpots see, where those of the packing lag behind (present_motion).
-PackingReport report_packing(Packing& packing, const PresentMotion<2>& now = {});
+PackingReport report_packing(Packing<2>& packing, const PresentMotion<2>& now = {});
 
 /// The meaning of the column "unsound" of tables.
 inline constexpr const char* unsound_meaning =
@@ -51,9 +51,9 @@ inline constexpr const char* unsound_meaning =
 /// A packing, its report and the work that led to it. Without minimisations the particles move: stresses then
 /// have their kinetic part.
 struct PackingInstant {
-  const Packing& packing;
+  const Packing<2>& packing;
   const PackingReport& report;
-  const JamProgress& work;
+  const JamProgress<2>& work;
   bool moves() const { return work.minimisations == 0; }
   /// Compression positive, in units of pressure.
   Mat2 stress() const {
@@ -71,22 +71,22 @@ enum class Surroundings { closed, open };
 
 /// The frame at the instant of the report: positions, forces, contacts; stress, shape and contacts of each
 /// body; energies and, if closed, stresses of the whole.
-Frame packing_frame(const Packing& packing, const PackingReport& report,
+Frame packing_frame(const Packing<2>& packing, const PackingReport& report,
                     Surroundings surroundings = Surroundings::closed);
 
 /// Records the results of a packing, its last frame and its state. Warns of bodies inside others and of
 /// minimisations that did not converge. If `progress` has no minimisations the particles move: then no work
 /// is recorded, and stresses have their kinetic part.
-void record_packing(Packing& packing, const JamProgress& progress, Recorder& recorder,
+void record_packing(Packing<2>& packing, const JamProgress<2>& progress, Recorder& recorder,
                     Surroundings surroundings = Surroundings::closed, const PresentMotion<2>& now = {});
 
 /// Walls and gravity of a packing as they are now.
-Environment environment_of(const Packing& packing);
+Environment environment_of(const Packing<2>& packing);
 
 /// The same for a packing in a closed cell, with a frame, its packing fraction, pressures and residual.
-void hand_over_packing(Packing& packing, Recorder& recorder);
+void hand_over_packing(Packing<2>& packing, Recorder& recorder);
 
 /// Hands over the state as it is, for a run that ends early.
-void hand_over(Packing& packing, Recorder& recorder);
+void hand_over(Packing<2>& packing, Recorder& recorder);
 
 }  // namespace supple

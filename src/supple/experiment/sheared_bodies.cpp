@@ -12,7 +12,7 @@ namespace supple {
 namespace {
 
 /// Velocities of the instant of the positions; the packing's own report of everything else.
-Frame sheared_frame(Packing& packing, const Mover& dynamics, const PresentMotion<2>& now, double rate_now) {
+Frame sheared_frame(Packing<2>& packing, const Mover& dynamics, const PresentMotion<2>& now, double rate_now) {
   Frame frame = packing_frame(packing, report_packing(packing, now));
   dynamics.bring_to_instant(packing.system, rate_now, frame.velocity, frame.spin);
   frame.strain_rate = rate_now;
@@ -26,11 +26,11 @@ Making sheared(Making making) {
   return making;
 }
 
-void restore_sheared(Packing& packing, const Recorder& recorder) {
+void restore_sheared(Packing<2>& packing, const Recorder& recorder) {
   if (resumed_part(recorder) == sheared_part) Keeper::restoring (*recorder.resumed())("packing", packing);
 }
 
-void link_packing(const Case& c, Packing& packing, Recorder& recorder) {
+void link_packing(const Case& c, Packing<2>& packing, Recorder& recorder) {
   if (resumed_part(recorder) == sheared_part) return;
   if (c.particles.permanent_links && packing.system.links.empty())
     recorder.value("results", {"clusters", "", "clusters of particles that links hold together"},
@@ -49,7 +49,7 @@ Plates plates_of_bodies(const Case& c) {
 namespace {
 
 /// The packing with its plates in place, or without those of its state.
-Packing& between_plates(const Case& c, Packing& packing) {
+Packing<2>& between_plates(const Case& c, Packing<2>& packing) {
   if (plates_of_bodies(c) == Plates::capture) capture_at_boundaries(packing.system, Plates::capture);
   else leave_plates(packing.system);
   return packing;
@@ -57,7 +57,7 @@ Packing& between_plates(const Case& c, Packing& packing) {
 
 }  // namespace
 
-ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing& packing, Recorder& recorder)
+ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing<2>& packing, Recorder& recorder)
     : packing_(between_plates(c, packing)),
       recorder_(recorder),
       dynamics_(*packing.field),
@@ -67,7 +67,7 @@ ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing
 }
 
 void ShearedBodies::move(const Course& course, const Keep& more) {
-  LastGood good(packing_);
+  LastGood<2> good(packing_);
   const Keep keep = in_part(sheared_part, [&](Keeper& k) {
     k("row", row_);
     k("packing", packing_);

@@ -17,16 +17,16 @@ Making sheared(Making making);
 Plates plates_of_bodies(const Case& c);
 
 /// Takes the particles from the checkpoint of a run that goes on and was sheared already.
-void restore_sheared(Packing& packing, const Recorder& recorder);
+void restore_sheared(Packing<2>& packing, const Recorder& recorder);
 
 /// Links the particles if the case asks for it and they are not linked yet; records the numbers of links and
 /// clusters. A run that goes on has done so.
-void link_packing(const Case& c, Packing& packing, Recorder& recorder);
+void link_packing(const Case& c, Packing<2>& packing, Recorder& recorder);
 
 /// A packing in motion in a sheared cell, with its laws, its tables and its account of energy.
 class ShearedBodies {
  public:
-  ShearedBodies(const Case& c, const InitialState* initial, Packing& packing, Recorder& recorder);
+  ShearedBodies(const Case& c, const InitialState* initial, Packing<2>& packing, Recorder& recorder);
 
   const BodyStressTable& table() const { return table_; }
   /// All energy lost up to each row.
@@ -40,7 +40,7 @@ class ShearedBodies {
   void finish();
 
  private:
-  Packing& packing_;
+  Packing<2>& packing_;
   Recorder& recorder_;
   Mover dynamics_;
   BodyStressTable table_;

@@ -9,7 +9,7 @@ namespace supple {
 
 namespace {
 
-std::vector<Derived> derived_dynamics(const Case& c, Packing& packing, const BodyLaws& laws) {
+std::vector<Derived> derived_dynamics(const Case& c, Packing<2>& packing, const BodyLaws& laws) {
   std::vector<Derived> all = derived_packing(packing);
   for (Derived& d : derived_laws(laws)) all.push_back(std::move(d));
   all.push_back({{"time_step", "", "time step"}, sheared_body_step(c, laws, packing)});
@@ -20,14 +20,14 @@ std::vector<Derived> derived_dynamics(const Case& c, Packing& packing, const Bod
 }  // namespace
 
 std::vector<Derived> derive_sheared_dynamics(const Case& c, const InitialState* initial) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(set_apart));
+  Packing<2> packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(set_apart));
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   plates_of_bodies(c);
   return derived_dynamics(c, packing, body_laws(c, packing));
 }
 
 void run_sheared_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(at_random(recorder)));
+  Packing<2> packing = make_packing(c, initial, c.jamming.packing_fraction, sheared(at_random(recorder)));
   restore_sheared(packing, recorder);
   const Expression rate(c.shear.rate, {"t"}, "[shear] rate");
   const BodyLaws laws = body_laws(c, packing);

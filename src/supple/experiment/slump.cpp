@@ -57,8 +57,8 @@ WallLaw<2> open_box(const Case& c, bool right_wall) {
 
 /// The particles, at rest, above the floor of the open box, about to fall. Those of a file fall anew: only
 /// what they are is kept.
-Packing hanging_packing(const Case& c, const InitialState* initial, const Making& making) {
-  Packing p = make_packing(c, initial, 0.1, making);
+Packing<2> hanging_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing<2> p = make_packing(c, initial, 0.1, making);
   System<2>& s = p.system;
   put_at_rest(s);
   const double mean = mean_diameter(s), widest = widest_diameter(s), width = c.slump.width * mean;
@@ -86,7 +86,7 @@ std::int64_t steps_of(const Case& c, double time, double dt) {
 /// A heap that moves, and what is recorded of it on the way.
 class MovingHeap {
  public:
-  MovingHeap(const Case& c, Packing packing, Recorder& recorder)
+  MovingHeap(const Case& c, Packing<2> packing, Recorder& recorder)
       : case_(c),
         packing_(std::move(packing)),
         recorder_(recorder),
@@ -195,11 +195,11 @@ class MovingHeap {
   }
 
   const Case& case_;
-  Packing packing_;
+  Packing<2> packing_;
   Recorder& recorder_;
   double dt_;
   Mover dynamics_;
-  LastGood good_;
+  LastGood<2> good_;
   std::int64_t per_row_ = 1, per_frame_ = 1;
   std::optional<std::int64_t> last_row_;
   Heap heap_;
@@ -218,7 +218,7 @@ class MovingHeap {
   };
 };
 
-std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
+std::vector<Derived> derived_slump(const Case& c, Packing<2>& packing) {
   std::vector<Derived> all = derived_packing(packing);
   const double dt = body_time_step(c, packing, nullptr, damped_step);
   const std::int64_t most = steps_of(c, c.slump.settle_time, dt) + steps_of(c, c.slump.spread_time, dt);
@@ -233,12 +233,12 @@ std::vector<Derived> derived_slump(const Case& c, Packing& packing) {
 }
 
 std::vector<Derived> derive_slump(const Case& c, const InitialState* initial) {
-  Packing packing = hanging_packing(c, initial, set_apart);
+  Packing<2> packing = hanging_packing(c, initial, set_apart);
   return derived_slump(c, packing);
 }
 
 void run_slump(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = hanging_packing(c, initial, at_random(recorder));
+  Packing<2> packing = hanging_packing(c, initial, at_random(recorder));
   begin_packing(packing, derived_slump(c, packing), recorder);
   MovingHeap heap(c, std::move(packing), recorder);
   try {

@@ -2,9 +2,11 @@
 
 namespace supple {
 
-Soundness look_at(const Packing& packing) { return look_at(packing.system, packing.outline); }
+template <int Dim>
+Soundness look_at(const Packing<Dim>& packing) { return look_at(packing.system, packing.outline); }
 
-bool must_stop(const Packing& packing, const Soundness& soundness) {
+template <int Dim>
+bool must_stop(const Packing<Dim>& packing, const Soundness& soundness) {
   return !soundness.has_areas() || (packing.on_unsound == OnUnsound::stop && !soundness.sound());
 }
 
@@ -24,7 +26,8 @@ Error unsound_error(const Soundness& soundness) {
   return numerics_error(soundness.what(), "the state handed over is the last one before", to_do);
 }
 
-Soundness LastGood::look() {
+template <int Dim>
+Soundness LastGood<Dim>::look() {
   const Soundness soundness = look_at(packing_);
   if (!must_stop(packing_, soundness)) {
     good_ = packing_.system;
@@ -34,5 +37,12 @@ Soundness LastGood::look() {
   packing_.field->invalidate();
   throw unsound_error(soundness);
 }
+
+template Soundness look_at(const Packing<2>&);
+template Soundness look_at(const Packing<3>&);
+template bool must_stop(const Packing<2>&, const Soundness&);
+template bool must_stop(const Packing<3>&, const Soundness&);
+template class LastGood<2>;
+template class LastGood<3>;
 
 }  // namespace supple

@@ -10,11 +10,13 @@
 namespace supple {
 
 /// Looks at the packing as it is (observe/soundness).
-Soundness look_at(const Packing& packing);
+template <int Dim>
+Soundness look_at(const Packing<Dim>& packing);
 
 /// Whether the run must end: by contact.unsound, and always where a ring encloses no area, as it has no
 /// packing fraction.
-bool must_stop(const Packing& packing, const Soundness& soundness);
+template <int Dim>
+bool must_stop(const Packing<Dim>& packing, const Soundness& soundness);
 
 /// The numerics error with which a run ends at such a state.
 Error unsound_error(const Soundness& soundness);
@@ -24,9 +26,10 @@ Error unsound_error(const Soundness& soundness);
 inline std::int64_t look_interval(std::int64_t steps) { return std::max<std::int64_t>(100, steps / 1000); }
 
 /// Keeps the last sound state of a packing that changes.
+template <int Dim>
 class LastGood {
  public:
-  explicit LastGood(Packing& packing) : packing_(packing), good_(packing.system) {}
+  explicit LastGood(Packing<Dim>& packing) : packing_(packing), good_(packing.system) {}
 
   /// Takes the present state as good without a look.
   void trust() { good_ = packing_.system; }
@@ -38,8 +41,8 @@ class LastGood {
   void keep(Keeper& k) { k("good", good_); }
 
  private:
-  Packing& packing_;
-  System<2> good_;
+  Packing<Dim>& packing_;
+  System<Dim> good_;
 };
 
 }  // namespace supple

@@ -19,14 +19,14 @@ namespace supple {
 namespace {
 
 /// The packing between four walls, of the case or of a state; the strain counts from here.
-Packing boxed_packing(const Case& c, const InitialState* initial, const Making& making) {
-  Packing p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio, making);
+Packing<2> boxed_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing<2> p = make_boxed_packing(c, initial, c.uniaxial.packing_fraction, c.uniaxial.aspect_ratio, making);
   put_at_rest(p.system);
   return p;
 }
 
 /// Area that the particles would cover if none overlapped [length^2].
-double lone_area(const Packing& packing) {
+double lone_area(const Packing<2>& packing) {
   System<2> apart = packing.system;
   const int bodies = apart.topology.body_count(apart.state.size());
   double at = 0;
@@ -49,7 +49,7 @@ struct WallInstant : PackingInstant {
   double covered_area() const { return report.fraction.total * packing.system.box.volume(); }
 };
 
-Observables<WallInstant> wall_observables(const Packing& packing) {
+Observables<WallInstant> wall_observables(const Packing<2>& packing) {
   using W = WallInstant;
   Observables<W> all{{{"strain", "", "how far the upper wall has come down, over the first height"},
                       [](const W& w) { return w.strain; }}};
@@ -89,11 +89,11 @@ void lower_wall(System<2>& s, double height) {
 
 /// How far the compression has got.
 struct Compressed {
-  JamState squeeze;
+  JamState<2> squeeze;
   bool is_squeezed = false;
   double height = 0;      ///< of the box where the strain begins
   std::int64_t step = 0;  ///< of the wall
-  JamProgress work;
+  JamProgress<2> work;
 
   void keep(Keeper& k) {
     k("squeeze", squeeze);
@@ -105,14 +105,14 @@ struct Compressed {
 };
 
 /// Moves all walls together until the pressure is that from which the compression starts.
-void squeeze(const Case& c, Packing& packing, Compressed& state, const Keep& keep, Recorder& recorder) {
+void squeeze(const Case& c, Packing<2>& packing, Compressed& state, const Keep& keep, Recorder& recorder) {
   JamSpec spec;
   spec.pressure = c.uniaxial.pressure;
   spec.step = 5e-3;
   state.work = jam(
       packing, spec, state.squeeze,
       [&] { recorder.hold(keep, "after minimisation", state.squeeze.minimisations()); },
-      [&](const JamProgress& p) {
+      [&](const JamProgress<2>& p) {
         recorder.progress(
             fmt::format("squeeze: to P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
             0, 0);
@@ -120,7 +120,7 @@ void squeeze(const Case& c, Packing& packing, Compressed& state, const Keep& kee
       });
 }
 
-void count(JamProgress& work, const MinimiseReport& done) {
+void count(JamProgress<2>& work, const MinimiseReport& done) {
   work.last = done;
   ++work.minimisations;
   work.evaluations += done.evaluations;
@@ -128,7 +128,7 @@ void count(JamProgress& work, const MinimiseReport& done) {
 }
 
 /// The course from the first to the last strain; a row of the table for each step, and frames.
-void compress(const Case& c, Packing& packing, Compressed& state, LastGood& good, const Keep& keep,
+void compress(const Case& c, Packing<2>& packing, Compressed& state, LastGood<2>& good, const Keep& keep,
               Recorder& recorder) {
   const Observables<WallInstant> observables = wall_observables(packing);
   const std::int64_t steps = wall_steps(c);
@@ -161,12 +161,12 @@ std::vector<Derived> derive_uniaxial_compression(const Case& c, const InitialSta
 }
 
 void run_uniaxial_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing packing = boxed_packing(c, initial, at_random(recorder));
+  Packing<2> packing = boxed_packing(c, initial, at_random(recorder));
   begin_packing(packing, derive_uniaxial_compression(c, initial), recorder);
   const Observables<WallInstant> observables = wall_observables(packing);
   observables.declare("packing", recorder);
   Compressed state;
-  LastGood good(packing);
+  LastGood<2> good(packing);
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("good", good);
@@ -186,7 +186,7 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
     hand_over_packing(packing, recorder);
     throw;
   }
-  const JamProgress& work = state.work;
+  const JamProgress<2>& work = state.work;
   const PackingReport report = report_packing(packing);
   observables.record({{packing, report, work}, c.uniaxial.strain}, recorder,
                      one_of({"wall_force", "contact_length", "mean_overlap", "overlap_area"}));

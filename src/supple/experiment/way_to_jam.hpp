@@ -15,7 +15,8 @@ class WayToJam {
  public:
   explicit WayToJam(double pressure) : pressure_(pressure) {}
 
-  double share(const JamProgress& p) {
+  template <int Dim>
+  double share(const JamProgress<Dim>& p) {
     if (p.share) return share_ = std::clamp(*p.share, share_, 1.0);
     const double phi = p.state.packing_fraction, above = p.state.pressure / pressure_;
     if (above > 1) {

@@ -6,16 +6,27 @@
 namespace supple {
 
 /// Mean position of the sites of body b, each counted alike [length].
-Vec2 body_centre(const System<2>& system, int b);
+template <int Dim>
+Vec<Dim> body_centre(const System<Dim>& system, int b);
 
-/// Radius of the circle about body_centre(b) that holds the discs of all sites of body b [length].
-double outer_radius(const System<2>& system, int b);
+/// Radius of the circle (3D: sphere) about body_centre(b) that holds the discs (spheres) of all sites of body b [length].
+template <int Dim>
+double outer_radius(const System<Dim>& system, int b);
 
 /// Displaces body b, rigid or not, by `move` [length].
-void move_body(System<2>& system, int b, const Vec2& move);
+template <int Dim>
+void move_body(System<Dim>& system, int b, const Vec<Dim>& move);
 
-/// Multiplies the lengths of the cell by `factor`, along x and y; bodies move with their centres and keep
+/// Multiplies the lengths of the cell by `factor`, by direction; bodies move with their centres and keep
 /// their shapes.
-void scale_cell(System<2>& system, const Vec2& factor);
+template <int Dim>
+void scale_cell(System<Dim>& system, const Vec<Dim>& factor);
+/// The same, all lengths alike.
+template <int Dim>
+void scale_cell(System<Dim>& system, double factor) {
+  Vec<Dim> all;
+  for (int d = 0; d < Dim; ++d) all[d] = factor;
+  scale_cell(system, all);
+}
 
 }  // namespace supple

@@ -17,7 +17,7 @@ namespace supple {
 
 /// One kept value: a number, a list of numbers, a text, or a whole system.
 using KeptValue = std::variant<std::int64_t, double, std::string, std::vector<std::int64_t>,
-                               std::vector<double>, System<2>>;
+                               std::vector<double>, System<2>, System<3>>;
 /// Names are those of the members, "search.low.density".
 using Kept = std::map<std::string, KeptValue>;
 
@@ -37,7 +37,7 @@ class Keeper {
   template <class T>
   void operator()(const std::string& name, T& value) {
     const std::string full = prefix_ + name;
-    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, System<2>> ||
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, System<2>> || std::is_same_v<T, System<3>> ||
                   std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<double>> ||
                   std::is_same_v<T, std::vector<std::int64_t>>)
       exchange(full, value);
@@ -116,8 +116,14 @@ class Keeper {
   void parts(std::array<T, N>& values) {
     for (std::size_t k = 0; k < N; ++k) (*this)(std::to_string(k), values[k]);
   }
-  void parts(Vec2& v) { parts(v.e); }
-  void parts(Mat2& m) { parts(m.e); }
+  template <int Dim>
+  void parts(Vec<Dim>& v) {
+    parts(v.e);
+  }
+  template <int Dim>
+  void parts(Mat<Dim>& m) {
+    parts(m.e);
+  }
 
   template <class T>
   void parts(T& value) {

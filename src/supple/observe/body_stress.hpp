@@ -36,7 +36,12 @@ struct BodyStresses {
 };
 
 /// Mean normal stress, positive in compression.
-inline double pressure(const Mat2& stress) { return 0.5 * (stress[0][0] + stress[1][1]); }
+template <int Dim>
+double pressure(const Mat<Dim>& stress) {
+  double trace = stress[0][0];
+  for (int d = 1; d < Dim; ++d) trace += stress[d][d];
+  return Dim == 2 ? 0.5 * trace : trace / Dim;
+}
 /// Shear stress -Sigma_xy, of the symmetric part.
 inline double shear_stress(const Mat2& stress) { return -0.5 * (stress[0][1] + stress[1][0]); }
 
