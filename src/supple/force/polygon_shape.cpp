@@ -2,6 +2,7 @@
 
 #include "supple/core/multiply_add.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/force/body_parts.hpp"
 #include "supple/force/ring_hessian.hpp"
 #include "supple/force/rings.hpp"
 #include "supple/force/shape_terms.hpp"
@@ -170,24 +171,6 @@ int ring_size(const System<2>& system, int b) {
   return system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];
 }
 
-/// Bodies at which the parts begin that threads share, and their end: as many bodies as a chunk has, or fewer
-/// large ones.
-std::vector<int> parts_of_rings(const System<2>& system) {
-  constexpr int most_vertices = 32 * static_cast<int>(chunk_size);
-  const auto bodies = static_cast<int>(system.shape.stiffness.size());
-  std::vector<int> begin{0};
-  int vertices = 0;
-  for (int b = 0; b < bodies; ++b) {
-    if (b - begin.back() >= chunk_size || (vertices > 0 && vertices + ring_size(system, b) > most_vertices)) {
-      begin.push_back(b);
-      vertices = 0;
-    }
-    vertices += ring_size(system, b);
-  }
-  begin.push_back(bodies);
-  return begin;
-}
-
 }  // namespace
 
 double PolygonShape::energy(const System<2>& system) const {
@@ -198,7 +181,8 @@ double PolygonShape::energy(const System<2>& system) const {
 
 void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2>& out) const {
   if (system.shape.empty()) return;
-  const std::vector<int> part_begin = parts_of_rings(system);
+  const std::vector<int> part_begin =
+      parts_of_bodies(system, static_cast<int>(chunk_size), 32 * static_cast<int>(chunk_size));
   const auto add_part = [&](std::int64_t part) {
     static thread_local Group group;
     ShapeSum sum;
