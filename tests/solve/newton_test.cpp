@@ -62,6 +62,32 @@ TEST(Newton, RosenbrockValley) {
   }
 }
 
+/// The same springs in blocks of three: as good a minimum, after about as many steps.
+TEST(Newton, ChoosesTheBlocksThatTheObjectiveAsksFor) {
+  struct InThrees : Springs {
+    using Springs::Springs;
+    int block_size() const override { return 3; }
+  };
+  Springs in_twos(149, 0.2, 0.05, 2);
+  InThrees in_threes(149, 0.2, 0.05, 2);
+  std::vector<double> x = in_twos.start(0.01), y = x;
+  const MinimiseReport a = newton_alone(in_twos, x, 0), b = newton_alone(in_threes, y, 0);
+  EXPECT_NE(x, y);  // rounding tells one from the other
+  EXPECT_NEAR(a.energy, b.energy, 1e-10 * a.energy);
+  EXPECT_NEAR(static_cast<double>(a.iterations), static_cast<double>(b.iterations), 3);
+
+  // One minimiser may be given one after the other.
+  Newton newton({.memory = 0});
+  for (Objective* objective : {static_cast<Objective*>(&in_twos), static_cast<Objective*>(&in_threes)}) {
+    std::vector<double> z = in_twos.start(0.01);
+    Descent descent(*objective, z);
+    descent.evaluate();
+    EXPECT_TRUE(newton.run(descent, 2000));
+    EXPECT_TRUE(descent.report.converged);
+    EXPECT_NEAR(descent.report.energy, a.energy, 1e-10 * a.energy);
+  }
+}
+
 // After FIRE has found the contacts, the rest is a few steps.
 TEST(Newton, EndsAPackingInFewSteps) {
   for (const int memory : {0, 12}) {

@@ -1,152 +1,51 @@
 #include "supple/solve/factorisation.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "supple/core/error.hpp"
+#include "supple/solve/pivot.hpp"
 #include "supple/solve/sums.hpp"
 
 namespace supple {
-namespace {
 
-/// Four numbers that one instruction treats.
-typedef double Four __attribute__((vector_size(32)));
-typedef double Two __attribute__((vector_size(16)));
-
-template <class Block>
-Four load(const Block& block) {
-  Four four;
-  __builtin_memcpy(&four, block.e, sizeof four);
-  return four;
-}
-template <class Block>
-void store(Four four, Block& block) {
-  __builtin_memcpy(block.e, &four, sizeof four);
-}
-Two load_two(const double* vector) {
-  Two two;
-  __builtin_memcpy(&two, vector, sizeof two);
-  return two;
-}
-void store_two(Two two, double* vector) { __builtin_memcpy(vector, &two, sizeof two); }
-Four twice(Two a) { return __builtin_shufflevector(a, a, 0, 1, 0, 1); }
-Two first_row(Four a) { return __builtin_shufflevector(a, a, 0, 1); }
-Two second_row(Four a) { return __builtin_shufflevector(a, a, 2, 3); }
-Four first_row_twice(Four a) { return __builtin_shufflevector(a, a, 0, 1, 0, 1); }
-Four second_row_twice(Four a) { return __builtin_shufflevector(a, a, 2, 3, 2, 3); }
-Four first_column_twice(Four a) { return __builtin_shufflevector(a, a, 0, 0, 2, 2); }
-Four second_column_twice(Four a) { return __builtin_shufflevector(a, a, 1, 1, 3, 3); }
-Four transposed(Four a) { return __builtin_shufflevector(a, a, 0, 2, 1, 3); }
-Four product(Four a, Four b) {
-  return first_column_twice(a) * first_row_twice(b) + second_column_twice(a) * second_row_twice(b);
+std::unique_ptr<Factorisation> make_factorisation(int block_size) {
+  if (block_size == 2) return std::make_unique<BlockFactorisation<2>>();
+  if (block_size == 3) return std::make_unique<BlockFactorisation<3>>();
+  throw input_error(fmt::format("a factorisation in blocks of {}", block_size),
+                    "blocks hold the coordinates of a site", "take 2 or 3");
 }
 
-/// Least eigenvalue of the symmetric block {a, b, b, c}, and its unit vector.
-struct LeastMode {
-  double value;
-  double x, y;
-};
-LeastMode least_mode(double a, double b, double c) {
-  const double half = 0.5 * (a - c), root = std::hypot(half, b);
-  const double value = 0.5 * (a + c) - root;
-  // Of (A - value I) v = 0 the row whose element on the diagonal is the larger one.
-  double x = -b, y = half + root;
-  if (half < 0) x = root - half, y = -b;
-  const double length = std::hypot(x, y);
-  return length > 0 ? LeastMode{value, x / length, y / length} : LeastMode{value, 1, 0};
-}
-
-}  // namespace
-
-/// The lower triangle of H by columns of blocks, blocks on the diagonal whole.
-struct Factorisation::LowerBlocks {
-  explicit LowerBlocks(const SparseMatrix& lower) : size((lower.size + 1) / 2), begin{0} {
-    std::vector<std::int32_t> place(static_cast<std::size_t>(size), -1);
-    for (int column = 0; column < size; ++column) {
-      for (int half = 0; half < 2 && 2 * column + half < lower.size; ++half)
-        for (int k = lower.begin[2 * column + half]; k < lower.begin[2 * column + half + 1]; ++k) {
-          const int r = lower.row[k] / 2, within = lower.row[k] % 2;
-          if (place[r] < begin.back()) {
-            place[r] = static_cast<std::int32_t>(row.size());
-            row.push_back(r);
-            block.push_back({});
-          }
-          Block& b = block[static_cast<std::size_t>(place[r])];
-          b.e[2 * within + half] = lower.value[k];
-          if (r == column) b.e[2 * half + within] = lower.value[k];
-        }
-      begin.push_back(static_cast<std::int32_t>(row.size()));
-    }
-  }
-
-  int size;
-  std::vector<std::int32_t> begin, row;
-  std::vector<Block> block;
-};
-
-void Factorisation::set(const SparseMatrix& lower) {
-  const LowerBlocks blocks(lower);
+template <int Size>
+void BlockFactorisation<Size>::set(const SparseMatrix& lower) {
+  const BlockColumns<Size> columns(lower);
   // An order made for other contacts stays good for a while, and costs as much as a factorisation to make.
   if (size_ != lower.size || factorise_work_ > 1.3 * work_when_ordered_) {
-    find_order(blocks);
+    place_ = elimination_places(columns);
     work_when_ordered_ = 0;
   }
   size_ = lower.size;
-  blocks_ = blocks.size;
-  sort_rows(blocks);
+  blocks_ = columns.size;
+  rows_.sort(columns, place_);
   analyse();
   largest_diagonal_ = 0;
-  for (const Block& d : diagonal_)
-    largest_diagonal_ = std::max({largest_diagonal_, std::abs(d.e[0]), std::abs(d.e[3])});
-}
-
-void Factorisation::find_order(const LowerBlocks& blocks) {
-  const std::vector<double> ones(blocks.row.size(), 1.0);
-  const Eigen::Map<const Eigen::SparseMatrix<double>> lower(
-      blocks.size, blocks.size, static_cast<Eigen::Index>(ones.size()), blocks.begin.data(),
-      blocks.row.data(), ones.data());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> eliminated;
-  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), eliminated);
-  place_.resize(static_cast<std::size_t>(blocks.size));
-  for (int k = 0; k < blocks.size; ++k) place_[eliminated.indices()[k]] = k;
-}
-
-void Factorisation::sort_rows(const LowerBlocks& blocks) {
-  diagonal_.assign(static_cast<std::size_t>(blocks_), {});
-  row_begin_.assign(static_cast<std::size_t>(blocks_) + 1, 0);
-  const auto later = [&](int a, int b) { return std::max(place_[a], place_[b]); };
-  for (int c = 0; c < blocks_; ++c)
-    for (std::int32_t k = blocks.begin[c]; k < blocks.begin[c + 1]; ++k)
-      if (blocks.row[k] != c) ++row_begin_[later(blocks.row[k], c) + 1];
-  for (int k = 0; k < blocks_; ++k) row_begin_[k + 1] += row_begin_[k];
-  row_column_.resize(static_cast<std::size_t>(row_begin_.back()));
-  row_block_.resize(row_column_.size());
-  std::vector<std::int32_t> next(row_begin_.begin(), row_begin_.end() - 1);
-  for (int c = 0; c < blocks_; ++c)
-    for (std::int32_t k = blocks.begin[c]; k < blocks.begin[c + 1]; ++k) {
-      const std::int32_t r = blocks.row[k], row = place_[r], column = place_[c];
-      if (r == c) {
-        diagonal_[row] = blocks.block[k];
-        continue;
-      }
-      const std::int32_t at = next[std::max(row, column)]++;
-      row_column_[at] = std::min(row, column);
-      const Four block = load(blocks.block[k]);
-      store(row > column ? block : transposed(block), row_block_[at]);
-    }
+  for (const B& d : rows_.diagonal)
+    for (int r = 0; r < Size; ++r) largest_diagonal_ = std::max(largest_diagonal_, std::abs(d.at(r, r)));
 }
 
 /// The elimination tree and the number of blocks in each column of L (Liu 1990).
-void Factorisation::analyse() {
+template <int Size>
+void BlockFactorisation<Size>::analyse() {
   const auto n = static_cast<std::size_t>(blocks_);
   parent_.assign(n, -1);
   seen_.assign(n, -1);
   begin_.assign(n + 1, 0);
   for (int k = 0; k < blocks_; ++k) {
     seen_[k] = k;
-    for (std::int32_t p = row_begin_[k]; p < row_begin_[k + 1]; ++p)
-      for (std::int32_t i = row_column_[p]; seen_[i] != k; i = parent_[i]) {
+    for (std::int32_t p = rows_.begin[k]; p < rows_.begin[k + 1]; ++p)
+      for (std::int32_t i = rows_.column[p]; seen_[i] != k; i = parent_[i]) {
         if (parent_[i] < 0) parent_[i] = k;
         ++begin_[i + 1];
         seen_[i] = k;
@@ -154,9 +53,10 @@ void Factorisation::analyse() {
   }
   factorise_work_ = solve_work_ = 0;
   for (int k = 0; k < blocks_; ++k) {
+    // A column of m blocks takes m products for L, m for the next pivots and m (m - 1)/2 for its rows.
     const double below = begin_[k + 1];
-    factorise_work_ += 4 * below * (below + 3);
-    solve_work_ += 8 * below;
+    factorise_work_ += 0.5 * Size * Size * Size * below * (below + 3);
+    solve_work_ += 2 * Size * Size * below;
     begin_[k + 1] += begin_[k];
   }
   if (work_when_ordered_ == 0) work_when_ordered_ = factorise_work_;
@@ -165,10 +65,11 @@ void Factorisation::analyse() {
   partial_.assign(n, {});
   reached_.resize(n);
   branch_.resize(n);
-  work_.resize(2 * n);
+  work_.assign(B::stride * n, 0.0);
 }
 
-bool Factorisation::factorise(double shift) {
+template <int Size>
+bool BlockFactorisation<Size>::factorise(double shift) {
   const auto n = static_cast<std::size_t>(blocks_);
   pivot_.resize(n);
   inverse_pivot_.resize(n);
@@ -176,33 +77,32 @@ bool Factorisation::factorise(double shift) {
   seen_.assign(n, -1);
   bool positive = true;
   singular_ = false;
-  const std::int32_t odd = size_ % 2 ? place_[n - 1] : -1;  // its second row is none of H
+  const int filled = size_ % Size;  // rows of H in the last block, where it is not full
+  const std::int32_t partly = filled ? place_[n - 1] : -1;
   for (int k = 0; k < blocks_; ++k) {
-    Block d = diagonal_[k];
-    d.e[0] += shift;
-    d.e[3] += shift;
-    if (k == odd) d.e[3] = 1;
-    d = eliminate_row(k, d);
-    const double a = d.e[0], b = d.e[1], c = d.e[3], determinant = a * c - b * b;
-    pivot_[k] = d;
-    inverse_pivot_[k] = {{c / determinant, -b / determinant, -b / determinant, a / determinant}};
-    if (!(a > 0 && c - b * (b / a) > 0)) positive = false;
-    if (!(std::abs(determinant) > 0)) {
+    B d = rows_.diagonal[k];
+    for (int r = 0; r < Size; ++r) d.at(r, r) = k == partly && r >= filled ? 1 : d.at(r, r) + shift;
+    d = pivot_[k] = eliminate_row(k, d);
+    const PivotSign sign = invert(d, inverse_pivot_[k]);
+    if (sign == PivotSign::singular) {
       singular_ = true;
       return false;
     }
+    if (sign == PivotSign::indefinite) positive = false;
   }
   return positive;
 }
 
 /// Row k of L from those above it; what is left of its pivot.
-Factorisation::Block Factorisation::eliminate_row(int k, Block pivot) {
+template <int Size>
+Block<Size> BlockFactorisation<Size>::eliminate_row(int k, B pivot) {
+  using P = Packed<Size>;
   // The columns that row k has in L are the branches of the elimination tree from those that it has in H.
   int first = blocks_;
   seen_[k] = k;
-  for (std::int32_t p = row_begin_[k]; p < row_begin_[k + 1]; ++p) {
-    std::int32_t i = row_column_[p];
-    partial_[i] = row_block_[p];
+  for (std::int32_t p = rows_.begin[k]; p < rows_.begin[k + 1]; ++p) {
+    std::int32_t i = rows_.column[p];
+    partial_[i] = rows_.block[p];
     int length = 0;
     for (; seen_[i] != k; i = parent_[i]) {
       branch_[length++] = i;
@@ -210,40 +110,41 @@ Factorisation::Block Factorisation::eliminate_row(int k, Block pivot) {
     }
     while (length > 0) reached_[--first] = branch_[--length];
   }
-  Block* const factor = factor_.data();
+  B* const factor = factor_.data();
   std::int32_t* const below = below_.data();
-  Block* const partial = partial_.data();
-  Four d = load(pivot);
+  B* const partial = partial_.data();
+  P d(pivot);
   for (int s = first; s < blocks_; ++s) {
     const std::int32_t i = reached_[s];
-    const Four y = load(partial_[i]);
-    partial_[i] = {};
-    const Four left = first_column_twice(y), right = second_column_twice(y);
+    const LeftFactor<Size> y{P(partial[i])};
+    partial[i] = {};
     const std::int32_t begin = begin_[i], end = begin + fill_[i]++;
     for (std::int32_t p = begin; p < end; ++p) {
-      const Four l = load(factor[p]);
-      Block& to = partial[below[p]];
-      store(load(to) - left * first_row_twice(l) - right * second_row_twice(l), to);
+      B& to = partial[below[p]];
+      y.subtract_product(P(factor[p]), P(to)).store(to);
     }
-    const Four l = transposed(product(y, load(inverse_pivot_[i])));
-    d -= left * first_row_twice(l) + right * second_row_twice(l);
+    const P l = y.times(P(inverse_pivot_[i])).transposed();
+    d -= y.times(l);
     below[end] = k;
-    store(l, factor[end]);
+    l.store(factor[end]);
   }
-  store(d, pivot);
-  pivot.e[1] = pivot.e[2] = 0.5 * (pivot.e[1] + pivot.e[2]);
+  d.store(pivot);
+  for (int r = 0; r < Size; ++r)
+    for (int c = 0; c < r; ++c) pivot.at(r, c) = pivot.at(c, r) = 0.5 * (pivot.at(c, r) + pivot.at(r, c));
   return pivot;
 }
 
 /// Replaces work by L^-T work.
-void Factorisation::solve_upper() {
-  const Block* const factor = factor_.data();
+template <int Size>
+void BlockFactorisation<Size>::solve_upper() {
+  const B* const factor = factor_.data();
   const std::int32_t* const below = below_.data();
-  const double* const x = work_.data();
   for (int k = blocks_; k-- > 0;) {
     // Two sums, as each addition waits for the one before it.
-    Four sum = {0, 0, 0, 0}, other = sum;
-    const auto part = [&](std::int32_t p) { return load(factor[p]) * twice(load_two(x + 2 * below[p])); };
+    Packed<Size> sum, other;
+    const auto part = [&](std::int32_t p) {
+      return Packed<Size>(factor[p]).each_row_times(load_vector<Size>(numbers(below[p])));
+    };
     std::int32_t p = begin_[k];
     for (; p + 1 < begin_[k + 1]; p += 2) {
       sum += part(p);
@@ -251,51 +152,56 @@ void Factorisation::solve_upper() {
     }
     if (p < begin_[k + 1]) sum += part(p);
     sum += other;
-    work_[2 * k] -= sum[0] + sum[1];
-    work_[2 * k + 1] -= sum[2] + sum[3];
+    sum.subtract_row_sums(numbers(k));
   }
 }
 
-double Factorisation::negative_curvature() {
+template <int Size>
+double BlockFactorisation<Size>::negative_curvature() {
   if (singular_) return 0;
   int at = 0;
-  LeastMode least{0, 1, 0};
+  LeastMode<Size> least{0, {1}};
   for (int k = 0; k < blocks_; ++k) {
-    const LeastMode mode = least_mode(pivot_[k].e[0], pivot_[k].e[1], pivot_[k].e[3]);
+    const LeastMode<Size> mode = least_mode(pivot_[k]);
     if (k == 0 || mode.value < least.value) least = mode, at = k;
   }
   std::fill(work_.begin(), work_.end(), 0.0);
-  work_[2 * at] = least.x;
-  work_[2 * at + 1] = least.y;
+  std::copy(least.x, least.x + Size, numbers(at));
   solve_upper();  // z with L^T z = v, so that z.Az = v.Dv
   return least.value / dot(work_, work_);
 }
 
-void Factorisation::solve(std::span<double> b) {
+template <int Size>
+void BlockFactorisation<Size>::solve(std::span<double> b) {
   const auto each = [&](auto&& visit) {
-    for (int k = 0; k < size_; ++k) visit(b[k], work_[2 * place_[k / 2] + k % 2]);
+    for (int k = 0; k < size_; ++k) visit(b[k], numbers(place_[k / Size])[k % Size]);
   };
-  if (size_ % 2) work_[2 * place_[blocks_ - 1] + 1] = 0;
+  for (int r = size_ % Size; r > 0 && r < Size; ++r) numbers(place_[blocks_ - 1])[r] = 0;
   each([](double from, double& to) { to = from; });
-  const Block* const factor = factor_.data();
+  const B* const factor = factor_.data();
   const std::int32_t* const below = below_.data();
-  double* const work = work_.data();
   for (int k = 0; k < blocks_; ++k) {
-    const double x = work_[2 * k], y = work_[2 * k + 1];
+    double x[Size];
+    std::copy(numbers(k), numbers(k) + Size, x);
     for (std::int32_t p = begin_[k]; p < begin_[k + 1]; ++p) {
-      double* const to = work + 2 * below[p];
-      const Four l = load(factor[p]);
-      store_two(load_two(to) - x * first_row(l) - y * second_row(l), to);
+      double* const to = numbers(below[p]);
+      store_vector(Packed<Size>(factor[p]).minus_rows(load_vector<Size>(to), x), to);
     }
   }
   for (int k = 0; k < blocks_; ++k) {
-    const double x = work_[2 * k], y = work_[2 * k + 1];
-    const double* d = inverse_pivot_[k].e;
-    work_[2 * k] = d[0] * x + d[1] * y;
-    work_[2 * k + 1] = d[2] * x + d[3] * y;
+    double x[Size];
+    std::copy(numbers(k), numbers(k) + Size, x);
+    for (int r = 0; r < Size; ++r) {
+      double sum = inverse_pivot_[k].at(r, 0) * x[0];
+      for (int c = 1; c < Size; ++c) sum += inverse_pivot_[k].at(r, c) * x[c];
+      numbers(k)[r] = sum;
+    }
   }
   solve_upper();
   each([](double& to, double from) { to = from; });
 }
+
+template class BlockFactorisation<2>;
+template class BlockFactorisation<3>;
 
 }  // namespace supple

@@ -1,60 +1,72 @@
 /// Sparse factorisation of a symmetric matrix plus a multiple of the identity.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "supple/solve/sparse_matrix.hpp"
+#include "supple/solve/block_rows.hpp"
 
 namespace supple {
 
-/// H + shift I = L D L^T for a sparse symmetric H, in blocks of 2 x 2: x and y of a site stand side by side.
-/// L has unit blocks on its diagonal, D is block diagonal. The order of elimination (minimum degree) is kept
-/// while the pattern of H changes little.
+/// H + shift I = L D L^T for a sparse symmetric H.
 class Factorisation {
  public:
+  virtual ~Factorisation() = default;
   /// Takes H (lower triangle) and analyses its pattern.
-  void set(const SparseMatrix& lower);
+  virtual void set(const SparseMatrix& lower) = 0;
   /// Factorises H + shift I. True if it is positive definite. Rows of H may be empty when shift > 0.
-  bool factorise(double shift);
+  virtual bool factorise(double shift) = 0;
   /// After factorise() returned false: a curvature z.(H + shift I)z / z.z that is not positive. The least
   /// eigenvalue of H + shift I is at most as large.
-  double negative_curvature();
+  virtual double negative_curvature() = 0;
   /// Replaces b by (H + shift I)^-1 b.
-  void solve(std::span<double> b);
+  virtual void solve(std::span<double> b) = 0;
 
-  double largest_diagonal() const { return largest_diagonal_; }
+  virtual double largest_diagonal() const = 0;
   /// Numbers of multiplications in one factorisation and in one solve().
-  double factorise_work() const { return factorise_work_; }
-  double solve_work() const { return solve_work_; }
+  virtual double factorise_work() const = 0;
+  virtual double solve_work() const = 0;
+};
+
+/// A factorisation in blocks of so many rows (Objective::block_size): 2 or 3, input error otherwise.
+std::unique_ptr<Factorisation> make_factorisation(int block_size);
+
+/// The same in blocks of Size x Size, for the Size coordinates of a site stand side by side. L has unit
+/// blocks on its diagonal, D is block diagonal. The order of elimination (minimum degree) is kept while the
+/// pattern of H changes little.
+template <int Size>
+class BlockFactorisation final : public Factorisation {
+ public:
+  void set(const SparseMatrix& lower) override;
+  bool factorise(double shift) override;
+  double negative_curvature() override;
+  void solve(std::span<double> b) override;
+  double largest_diagonal() const override { return largest_diagonal_; }
+  double factorise_work() const override { return factorise_work_; }
+  double solve_work() const override { return solve_work_; }
 
  private:
-  /// A matrix of 2 x 2, row after row.
-  struct Block {
-    double e[4];
-  };
-  struct LowerBlocks;
-  void find_order(const LowerBlocks& blocks);
-  void sort_rows(const LowerBlocks& blocks);
+  using B = Block<Size>;
   void analyse();
-  Block eliminate_row(int k, Block pivot);
+  B eliminate_row(int k, B pivot);
   void solve_upper();
+  /// The numbers of row k of blocks in work_.
+  double* numbers(std::int32_t k) { return work_.data() + static_cast<std::size_t>(B::stride) * k; }
 
-  int size_ = 0, blocks_ = 0;        ///< rows of H; rows of blocks, the last half empty where the size is odd
+  int size_ = 0, blocks_ = 0;  ///< rows of H; rows of blocks, the last not full where Size is no divisor
   std::vector<std::int32_t> place_;  ///< of each row of blocks in the order of elimination
-  // H in that order: the blocks of row k left of its diagonal are [row_begin[k], row_begin[k + 1]).
-  std::vector<std::int32_t> row_begin_, row_column_;
-  std::vector<Block> row_block_, diagonal_;
+  BlockRows<Size> rows_;             ///< H in that order
   // L by columns, each block transposed: those of column k are [begin[k], begin[k + 1]), the first fill[k] of
   // them made.
   std::vector<std::int32_t> begin_, fill_, below_;
-  std::vector<Block> factor_, pivot_, inverse_pivot_;
+  std::vector<B> factor_, pivot_, inverse_pivot_;
   std::vector<std::int32_t> parent_;  ///< the elimination tree: the first row that each column has in L
   // Of the row that is eliminated: its blocks by column, which are not 0, and marks of the columns that were
   // seen.
-  std::vector<Block> partial_;
+  std::vector<B> partial_;
   std::vector<std::int32_t> reached_, branch_, seen_;
-  std::vector<double> work_;  ///< a vector in the order of elimination
+  std::vector<double> work_;  ///< a vector in the order of elimination, B::stride places for each block
 
   bool singular_ = false;
   double largest_diagonal_ = 0, factorise_work_ = 0, solve_work_ = 0, work_when_ordered_ = 0;

@@ -22,6 +22,10 @@ bool is_finite(const SparseMatrix& lower) {
 
 bool Newton::run(Descent& descent, long iterations) {
   factorised_ = false;
+  if (const int size = descent.objective.block_size(); size != block_size_) {
+    factorisation_ = make_factorisation(size);
+    block_size_ = size;
+  }
   for (long i = 0; i < iterations && !descent.finished(); ++i)
     if (!iterate(descent)) return false;
   return true;
@@ -58,7 +62,7 @@ bool Newton::iterate(Descent& descent) {
 double Newton::shift_for(const Descent& descent) const {
   const double move = descent.objective.largest_move();
   const double scale = std::isfinite(move) ? move : 0.1 * std::max(1.0, largest(descent.x));
-  return std::max({least_shift * factorisation_.largest_diagonal(),
+  return std::max({least_shift * factorisation_->largest_diagonal(),
                    damping_ * largest(descent.gradient) / scale, 0.5 * needed_shift_});
 }
 
@@ -68,12 +72,12 @@ bool Newton::refresh(Descent& descent) {
   else descent.objective.preconditioner(descent.x, hessian_);
   factorised_ = false;
   if (!is_finite(hessian_)) return false;  // such as of two discs at one point
-  factorisation_.set(hessian_);
+  factorisation_->set(hessian_);
   double shift = shift_for(descent);
   needed_shift_ = 0;
-  while (++descent.report.factorisations, !factorisation_.factorise(shift)) {
+  while (++descent.report.factorisations, !factorisation_->factorise(shift)) {
     if (descent.finished()) return false;
-    shift = std::max({2 * shift, shift - 2 * factorisation_.negative_curvature(), smallest_shift});
+    shift = std::max({2 * shift, shift - 2 * factorisation_->negative_curvature(), smallest_shift});
     if (!std::isfinite(shift)) return false;
     needed_shift_ = shift;
   }
@@ -90,10 +94,10 @@ bool Newton::is_stale(double residual) {
   if (done == 0) return false;
   if (spec_.memory == 0) return true;
   const double n = static_cast<double>(direction_.size());
-  const double iteration = factorisation_.solve_work() + 4 * n * spec_.memory + 20 * n;
+  const double iteration = factorisation_->solve_work() + 4 * n * spec_.memory + 20 * n;
   // A new matrix must also be assembled, ordered and analysed, and the memory of steps is lost with the old
   // one. The factors are measured.
-  const double price = (4 * factorisation_.factorise_work() + 3000 * n) / iteration;  // in iterations
+  const double price = (4 * factorisation_->factorise_work() + 3000 * n) / iteration;  // in iterations
   if (done < window) return false;
   const double gain = std::log(history_.front() / history_.back());
   const double recent = std::log(history_[done - window] / history_.back());
@@ -108,7 +112,7 @@ void Newton::find_direction(std::span<const double> gradient) {
     weight_[k] = pairs_[k].inverse * dot(pairs_[k].move, direction_);
     add_scaled(-weight_[k], pairs_[k].change, direction_);
   }
-  factorisation_.solve(direction_);
+  factorisation_->solve(direction_);
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     add_scaled(weight_[k] - pairs_[k].inverse * dot(pairs_[k].change, direction_), pairs_[k].move,
                direction_);

@@ -1,6 +1,7 @@
 /// Second-order minimisation: limited-memory BFGS preconditioned by a factorised Hessian; without memory it
 /// is a regularised Newton method.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "supple/solve/descent.hpp"
@@ -41,7 +42,8 @@ class Newton {
   double shift_for(const Descent& descent) const;
 
   NewtonSpec spec_;
-  Factorisation factorisation_;
+  std::unique_ptr<Factorisation> factorisation_;  ///< in blocks of block_size_, from the first run on
+  int block_size_ = 0;
   SparseMatrix hessian_;
   std::vector<Pair> pairs_;  ///< the oldest first
   std::vector<double> direction_, before_, weight_;

@@ -14,6 +14,10 @@ class Objective {
  public:
   virtual ~Objective() = default;
   virtual int size() const = 0;
+  /// How many numbers stand side by side for one site: 2 or 3. Matrices are factorised in blocks of so many,
+  /// counted from the first number on; numbers of another kind, behind those of the sites, fall into blocks
+  /// as they stand.
+  virtual int block_size() const { return 2; }
   /// Energy at x; fills the gradient `slope`.
   virtual double evaluate(std::span<const double> x, std::span<double> slope) = 0;
   /// Fills the gradient alone, where that is cheaper; by evaluate() unless overridden.
