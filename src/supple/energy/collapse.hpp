@@ -1,4 +1,4 @@
-/// How much line tension a polygon bears before it shrinks to a point.
+/// How much tension a polygon or a surface bears before it shrinks to a point.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,31 @@ inline double collapsing_tension(const ShapeStiffness& k, double rest_area,
   const double A = k.volume * rest_area * rest_area, K = n * k.facet * l * l, B = k.facet * l * rest;
   const double dip = 2 * A > K ? 2.0 / 3 * (2 * A - K) * std::sqrt((2 * A - K) / (6 * A)) : 0;
   return (B + dip) / (n * l);
+}
+
+/// The same of a surface [energy/length^2], of which `area` holds the areas a_i that its triangles have where
+/// it encloses its preferred volume v0. A surface of size s has the volume s^3 v0 and areas s^2 a_i. From the
+/// shape energy, with S = sum a_i,
+///     U(s) = (A/2)(s^3 - 1)^2 + sum (k_a/2)(s^2 a_i - a_i0)^2 + gamma s^2 S,   A = k_v v0^2,
+///     dU/ds = s (3 A (s^4 - s) + 2 K s^2 - 2 B + 2 gamma S),   K = k_a sum a_i^2,   B = k_a sum a_i a_i0.
+/// An equilibrium s > 0 exists if the bracket is negative somewhere; it is least where 3 A (4 s^3 - 1) + 4 K s
+/// is 0.
+inline double collapsing_tension(const ShapeStiffness& k, double rest_volume, std::span<const double> area,
+                                 std::span<const double> rest_area) {
+  double S = 0, K = 0, B = 0;
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    S += area[i];
+    K += k.facet * area[i] * area[i];
+    B += k.facet * area[i] * rest_area[i];
+  }
+  const double A = k.volume * rest_volume * rest_volume;
+  double low = 0, high = 1;  // the cubic grows with s, and is positive at 1
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double s = 0.5 * (low + high);
+    (3 * A * (4 * s * s * s - 1) + 4 * K * s > 0 ? high : low) = s;
+  }
+  const double s = low, least = 3 * A * (s * s * s * s - s) + 2 * K * s * s;
+  return (2 * B - least) / (2 * S);
 }
 
 }  // namespace supple

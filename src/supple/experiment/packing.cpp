@@ -63,12 +63,15 @@ double mean_radius(const System<Dim>& system) {
 
 }  // namespace
 
-ForceField<2> make_body_field(const Case& c) {
+template <int Dim>
+ForceField<Dim> make_body_field(const Case& c) {
+  using Smooth = std::conditional_t<Dim == 2, SmoothContacts, SmoothSurfaces>;
+  using Shape = std::conditional_t<Dim == 2, PolygonShape, SurfaceShape>;
   const ContactLaws laws = contact_laws(c);
-  ForceField<2> field = c.contact.kind == "smooth" ? ForceField<2>(SmoothContacts(laws))
-                                                   : ForceField<2>(RoughContacts<2>(laws));
-  field.terms().add(std::make_shared<PolygonShape>());
-  field.terms().add(std::make_shared<BodyTermSet<2>>());
+  ForceField<Dim> field =
+      c.contact.kind == "smooth" ? ForceField<Dim>(Smooth(laws)) : ForceField<Dim>(RoughContacts<Dim>(laws));
+  field.terms().add(std::make_shared<Shape>());
+  field.terms().add(std::make_shared<BodyTermSet<Dim>>());
   return field;
 }
 
@@ -114,7 +117,8 @@ void surround(const Case& c, const Environment& environment, Packing<2>& p) {
 }
 
 /// Of all polygons and discs.
-double area_of_shapes(const System<2>& system) {
+template <int Dim>
+double area_of_shapes(const System<Dim>& system) {
   const std::vector<double> areas = measure_shapes(system).area;
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
@@ -127,39 +131,44 @@ std::string what_to_do_about_start(const Soundness& s) {
                                : "move them apart");
 }
 
-/// Input error where line tension would shrink a particle to a point.
-void check_tension(const System<2>& s) {
-  const Topology<2>& t = s.topology;
+/// Tension [energy/length; 3D: energy/length^2] at which body b would shrink to a point.
+double collapsing_tension_of(const System<2>& s, std::size_t b) {
+  const auto begin = static_cast<std::size_t>(s.topology.facet_begin[b]),
+             end = static_cast<std::size_t>(s.topology.facet_begin[b + 1]);
+  return collapsing_tension(s.shape.stiffness[b], s.shape.rest_volume[b],
+                            std::span(s.shape.rest_facet).subspan(begin, end - begin));
+}
+double collapsing_tension_of(const System<3>& s, std::size_t b) {
+  const TriangleMesh mesh = mesh_of(s, static_cast<int>(b));
+  const double to_rest = std::pow(s.shape.rest_volume[b] / enclosed_volume(mesh), 2.0 / 3);
+  std::vector<double> areas = face_areas(mesh);
+  for (double& a : areas) a *= to_rest;
+  return collapsing_tension(
+      s.shape.stiffness[b], s.shape.rest_volume[b], areas,
+      std::span(s.shape.rest_facet).subspan(static_cast<std::size_t>(s.topology.facet_begin[b]), areas.size()));
+}
+
+/// Input error where tension would shrink a particle to a point.
+template <int Dim>
+void check_tension(const System<Dim>& s) {
   for (std::size_t b = 0; b < s.shape.stiffness.size(); ++b) {
     const ShapeStiffness& k = s.shape.stiffness[b];
     if (!(k.tension > 0)) continue;
-    const auto begin = static_cast<std::size_t>(t.facet_begin[b]),
-               end = static_cast<std::size_t>(t.facet_begin[b + 1]);
-    const double most = collapsing_tension(k, s.shape.rest_volume[b],
-                                           std::span(s.shape.rest_facet).subspan(begin, end - begin));
+    const double most = collapsing_tension_of(s, b);
     if (k.tension < most) continue;
     throw input_error(
-        fmt::format("the line tension of particle {} is {:.4g} times what its area and edges bear", b,
-                    k.tension / most),
+        fmt::format("the {} tension of particle {} is {:.4g} times what its {} bear",
+                    Dim == 2 ? "line" : "surface", b, k.tension / most,
+                    Dim == 2 ? "area and edges" : "volume and triangles"),
         "it has no equilibrium: it shrinks to a point",
-        fmt::format("lower bodies.gamma below {:.4g} of what it is, or raise bodies.k_a or bodies.k_l",
-                    most / k.tension));
+        fmt::format("lower bodies.gamma below {:.4g} of what it is, or raise bodies.k_a or bodies.{}",
+                    most / k.tension, Dim == 2 ? "k_l" : "k_v"));
   }
 }
 
-/// What the case says of these particles.
-Packing<2> packing_of(const Case& c, System<2> system, Places places = Places::random) {
-  require_sane(system, "this packing");
-  check_tension(system);
-  Packing<2> p;
-  p.system = std::move(system);
-  p.field = std::make_unique<ForceField<2>>(make_body_field(c));
-  p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
-  p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
-  const bool apart = places == Places::apart;
-  if (const Soundness s = apart ? look_at_each(p.system, p.outline) : look_at(p); must_stop(p, s))
-    throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
-  const Harmonic law = springs_of(c);
+/// k_a a0 (3D: k_v v0) of the smallest deformable particle, or the stiffness of contacts that k_c means.
+template <int Dim>
+void set_pressure_unit(const Harmonic& law, Packing<Dim>& p) {
   const auto& stiffness = p.system.shape.stiffness;
   double smallest = 0;
   for (std::size_t b = 0; b < stiffness.size(); ++b) {
@@ -167,21 +176,47 @@ Packing<2> packing_of(const Case& c, System<2> system, Places places = Places::r
     if (stiffness[b].volume == 0 || (smallest > 0 && area >= smallest)) continue;
     smallest = area;
     p.pressure_unit = stiffness[b].volume * area;
+    p.pressure_symbol = Dim == 2 ? "k_a a0" : "k_v v0";
   }
-  if (smallest == 0) {
-    p.pressure_unit =
-        law.spring(2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end()));
-    p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
-  }
+  if (smallest > 0) return;
+  const double sigma = 2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end());
+  p.pressure_unit = Dim == 2 ? law.spring(sigma) : law.spring(sigma) / sigma;
+  if constexpr (Dim == 2) p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";
+  else p.pressure_symbol = law.relative ? "k_c/sigma^3" : "k_c/sigma";
+}
+
+/// A typical force at this pressure on a site of this diameter [force].
+template <int Dim>
+double force_on_site(double pressure, double diameter) {
+  double force = pressure;
+  for (int d = 1; d < Dim; ++d) force *= diameter;
+  return force;
+}
+
+/// What the case says of these particles.
+template <int Dim>
+Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
+  require_sane(system, "this packing");
+  check_tension(system);
+  Packing<Dim> p;
+  p.system = std::move(system);
+  p.field = std::make_unique<ForceField<Dim>>(make_body_field<Dim>(c));
+  p.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  p.on_unsound = c.contact.unsound == "mark" ? OnUnsound::mark : OnUnsound::stop;
+  const bool apart = places == Places::apart;
+  if (const Soundness s = apart ? look_at_each(p.system, p.outline) : look_at(p); must_stop(p, s))
+    throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
+  set_pressure_unit(springs_of(c), p);
   p.shape_area = area_of_shapes(p.system);
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;
   const Jamming wanted = uses(c, "jamming.pressure") ? c.jamming : Jamming{};
   p.contact_pressure = wanted.pressure_kind == "contact";
   p.tolerance.relative = c.minimise.force_tolerance;
-  p.tolerance.least = c.minimise.least_force > 0 ? c.minimise.least_force
-                                                 : c.minimise.force_tolerance * wanted.pressure *
-                                                       p.pressure_unit * 2 * mean_radius(p.system);
+  p.tolerance.least = c.minimise.least_force > 0
+                          ? c.minimise.least_force
+                          : force_on_site<Dim>(c.minimise.force_tolerance * wanted.pressure * p.pressure_unit,
+                                               2 * mean_radius(p.system));
   return p;
 }
 

@@ -1,6 +1,7 @@
 #include "supple/model/sanity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,10 @@ namespace {
 constexpr double farthest = 1e9;  ///< in radii of the smallest site
 constexpr double widest = 1e7;    ///< radius, in radii of the smallest site
 
+template <int Dim>
 class Judge {
  public:
-  Judge(const System<2>& system, const std::string& what) : system_(system), what_(what) {}
+  Judge(const System<Dim>& system, const std::string& what) : system_(system), what_(what) {}
 
   [[noreturn]] void refuse(const std::string& problem, const std::string& why) const {
     throw input_error(fmt::format("{} cannot be computed with: {}", what_, problem), why,
@@ -42,21 +44,23 @@ class Judge {
       if (!(values[i] > 0 && is_computable(values[i])))
         positive_size(values[i], fmt::format("{} {}", name, i));
   }
-  void sizes(const std::vector<Vec2>& values, const char* name) const {
+  template <int D>
+  void sizes(const std::vector<Vec<D>>& values, const char* name) const {
     for (std::size_t i = 0; i < values.size(); ++i)
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < D; ++d)
         if (!is_computable(values[i][d])) size(values[i][d], fmt::format("{} {}", name, i));
   }
 
   void cell() const {
-    for (int d = 0; d < 2; ++d) positive_size(system_.box.length[d], d == flow ? "its width" : "its height");
+    constexpr const char* names[] = {"its width", "its height", "its depth"};
+    for (int d = 0; d < Dim; ++d) positive_size(system_.box.length[d], names[d]);
     size(system_.box.strain, "its strain");
     size(system_.box.strain_rate, "its strain rate");
     size(system_.time, "its time");
   }
 
   void sites() const {
-    const State<2>& s = system_.state;
+    const State<Dim>& s = system_.state;
     if (s.size() == 0) refuse("it holds no particle", "there is nothing to move");
     positive_sizes(s.radius, "the radius of site");
     positive_sizes(s.mass, "the mass of site");
@@ -68,22 +72,24 @@ class Judge {
   }
 
   void extents() const {
-    const State<2>& s = system_.state;
+    const State<Dim>& s = system_.state;
     const auto [least, most] = std::minmax_element(s.radius.begin(), s.radius.end());
     if (*most > widest * *least)
       refuse(fmt::format("radii are from {:.6g} to {:.6g}", *least, *most),
              fmt::format("the largest may be {:g} of the smallest", widest));
     const double reach = farthest * *least;
-    const auto within = [&](const Vec2& x) { return std::abs(x[0]) <= reach && std::abs(x[1]) <= reach; };
+    const auto within = [&](const Vec<Dim>& x) {
+      return std::all_of(x.e, x.e + Dim, [&](double c) { return std::abs(c) <= reach; });
+    };
     const std::string why = fmt::format(
         "beyond {:g} radii of the smallest site, {:.6g}, contacts would not be resolved", farthest, reach);
     if (!within(system_.box.length))
-      refuse(fmt::format("its cell is {:.6g} x {:.6g}", system_.box.length[0], system_.box.length[1]), why);
+      refuse(fmt::format("its cell is {:.6g}", fmt::join(system_.box.length.e, " x ")), why);
     if (std::abs(system_.box.lattice().shift) > reach)
       refuse(fmt::format("its strain is {:.6g}", system_.box.strain), why);
     for (std::size_t i = 0; i < s.position.size(); ++i)
       if (!within(s.position[i]))
-        refuse(fmt::format("site {} lies at ({:.6g}, {:.6g})", i, s.position[i][0], s.position[i][1]), why);
+        refuse(fmt::format("site {} lies at ({:.6g})", i, fmt::join(s.position[i].e, ", ")), why);
   }
 
   void shapes() const {
@@ -93,9 +99,9 @@ class Judge {
       for (const double x : {k.volume, k.facet, k.hinge, k.tension})
         if (!is_computable(x)) size(x, fmt::format("a stiffness of particle {}", b));
     }
-    sizes(shape.rest_volume, "the preferred area of particle");
-    positive_sizes(shape.rest_facet, "the preferred length of edge");
-    sizes(shape.rest_hinge, "the preferred angle of corner");
+    sizes(shape.rest_volume, Dim == 2 ? "the preferred area of particle" : "the preferred volume of particle");
+    positive_sizes(shape.rest_facet, Dim == 2 ? "the preferred length of edge" : "the preferred area of triangle");
+    sizes(shape.rest_hinge, Dim == 2 ? "the preferred angle of corner" : "the preferred angle of edge");
     for (const BodyTermData& term : system_.terms)
       sizes(term.number, fmt::format("the {} of particles, number", term.name).c_str());
     const RigidBodies& r = system_.rigid;
@@ -108,7 +114,7 @@ class Judge {
   }
 
   void energy() const {
-    const State<2>& s = system_.state;
+    const State<Dim>& s = system_.state;
     double sum = 0;
     for (std::size_t i = 0; i < s.velocity.size(); ++i) sum += s.mass[i] * dot(s.velocity[i], s.velocity[i]);
     if (!(0.5 * sum <= most_number))
@@ -116,19 +122,23 @@ class Judge {
   }
 
  private:
-  const System<2>& system_;
+  const System<Dim>& system_;
   const std::string& what_;
 };
 
 }  // namespace
 
-void require_sane(const System<2>& system, const std::string& what) {
-  const Judge judge(system, what);
+template <int Dim>
+void require_sane(const System<Dim>& system, const std::string& what) {
+  const Judge<Dim> judge(system, what);
   judge.cell();
   judge.sites();
   judge.extents();
   judge.shapes();
   judge.energy();
 }
+
+template void require_sane(const System<2>&, const std::string&);
+template void require_sane(const System<3>&, const std::string&);
 
 }  // namespace supple

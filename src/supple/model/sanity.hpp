@@ -15,13 +15,15 @@ inline bool is_computable(double x) {
 }
 
 /// Throws an input error that begins with `what` ("the state to start from") unless
-/// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths are positive;
+/// * there is a site, and radii, masses, lengths of the cell, preferred areas and lengths (3D: volumes and
+///   areas) are positive;
 /// * every number is_computable(), and none is 0 that may not be;
 /// * no site lies further out than 1e9 times the smallest radius, nor does the cell reach further: positions,
 ///   which have 16 digits, would not resolve contacts;
 /// * the largest radius is at most 1e7 times the smallest one;
 /// * the kinetic energy is finite.
 /// Whatever makes or reads a sample calls this, so that loops over sites, grids and steps may rely on it.
-void require_sane(const System<2>& system, const std::string& what);
+template <int Dim>
+void require_sane(const System<Dim>& system, const std::string& what);
 
 }  // namespace supple

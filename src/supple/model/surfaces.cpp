@@ -212,6 +212,16 @@ void add_surface(System<3>& system, const TriangleMesh& mesh, double diameter_ra
               volume, areas, hinge_angles(mesh));
 }
 
+TriangleMesh mesh_of(const System<3>& system, int b) {
+  const Topology<3>& t = system.topology;
+  const auto first = t.body_begin(b);
+  TriangleMesh mesh;
+  for (int i = first; i < t.body_end(b); ++i) mesh.vertex.push_back(system.state.position[i]);
+  for (std::int32_t f = t.facet_begin[b]; f < t.facet_begin[b + 1]; ++f)
+    mesh.face.push_back({t.facet[f][0] - first, t.facet[f][1] - first, t.facet[f][2] - first});
+  return mesh;
+}
+
 void add_sphere_body(System<3>& system, const Vec3& centre, double radius) {
   add_round_body(system, centre, radius);
 }

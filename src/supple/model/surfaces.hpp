@@ -50,6 +50,9 @@ void add_surface(System<3>& system, const TriangleMesh& mesh, double radius, con
 /// `diameter_ratio` times the mean edge.
 void add_surface(System<3>& system, const TriangleMesh& mesh, double diameter_ratio, const ShapeSpec& shape);
 
+/// The present surface of body b; no triangles where it is a sphere.
+TriangleMesh mesh_of(const System<3>& system, int b);
+
 /// Adds a smooth sphere: a body of one site of mass 1.
 void add_sphere_body(System<3>& system, const Vec3& centre, double radius);
 

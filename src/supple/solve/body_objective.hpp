@@ -25,6 +25,7 @@ class BodyObjective final : public Objective {
   std::vector<double> coordinates() const;
 
   int size() const override { return degrees_.size(); }
+  int block_size() const override { return Dim; }
   double evaluate(std::span<const double> x, std::span<double> gradient) override;
   void evaluate_slope(std::span<const double> x, std::span<double> slope) override {
     evaluate(x, slope, Detail::forces);

@@ -24,6 +24,7 @@ class CellObjective final : public Objective {
 
   std::vector<double> coordinates() const;
   int size() const override { return bodies_.size() + extra(); }
+  int block_size() const override { return Dim; }
   double evaluate(std::span<const double> x, std::span<double> slope) override;
   /// For the bodies their own second derivatives, as if the cell were that of construction; for the cell
   /// central differences of the slope.
