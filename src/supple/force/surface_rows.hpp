@@ -33,8 +33,6 @@ struct Surface {
   const double *rest_area = nullptr, *rest_angle = nullptr;  ///< may be read to the end of the last block
   double pressure = 0;                                       ///< k_v (v - v0)
 
-  double* block(int b) const { return triangle + b * row::count * lanes::block; }
-
   /// Becomes the body b of the system: gets memory for its rows, aligned, its positions, and pointers to what
   /// it reads.
   void place(const System<3>& system, int b) {
