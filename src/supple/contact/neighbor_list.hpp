@@ -11,12 +11,12 @@ namespace supple {
 inline constexpr double default_skin = 0.4;
 
 /// Keeps System::pairs complete: a row for every pair of sites of different bodies that are closer than the
-/// sum of their radii times the range of the law (Meeting::facets: and half of the longest facet at either)
-/// plus the skin, and for every permanent link, however stretched. A row that is dropped loses its history;
-/// links stay. The list is stale, and made anew, once a pair without a row could touch: 2 max|u| + (|strain
-/// change| + |relative change of lengths|) reach > skin, with the displacements u of sites since the last
-/// build, relative to the affine strain of the cell. A periodic cell so short that a site could meet another
-/// body on two sides (least_period) is refused, also after it has shrunk: it holds too few particles.
+/// sum of their reaches (reach_of_sites) plus the skin, and for every permanent link, however stretched. A
+/// row that is dropped loses its history; links stay. The list is stale, and made anew, once a pair without a
+/// row could touch: 2 max|u| + (|strain change| + |relative change of lengths|) reach > skin, with the
+/// displacements u of sites since the last build, relative to the affine strain of the cell. A periodic cell
+/// so short that a site could meet another body on two sides (least_period) is refused, also after it has
+/// shrunk: it holds too few particles.
 template <int Dim>
 class NeighborList {
  public:

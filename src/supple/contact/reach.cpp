@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "supple/geometry/facet.hpp"
+
 namespace supple {
 
 template <int Dim>
@@ -11,14 +13,14 @@ std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, d
   std::vector<double> reach = system.state.radius;
   for (double& r : reach) r *= range;
   if (meeting == Meeting::sites) return reach;
-  std::vector<double> longest(reach.size());
-  for (const auto& facet : system.topology.facet)
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < a; ++b) {
-        const double length = norm(system.state.position[facet[a]] - system.state.position[facet[b]]);
-        for (const std::int32_t site : {facet[a], facet[b]}) longest[site] = std::max(longest[site], length);
-      }
-  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += 0.5 * longest[i];
+  std::vector<double> most(reach.size());
+  for (const auto& facet : system.topology.facet) {
+    Vec<Dim> x[Dim];
+    for (int k = 0; k < Dim; ++k) x[k] = system.state.position[facet[k]];
+    const double radius = facet_covering_radius(x);
+    for (const std::int32_t site : facet) most[site] = std::max(most[site], radius);
+  }
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += most[i];
   return reach;
 }
 

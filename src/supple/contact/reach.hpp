@@ -13,7 +13,9 @@ namespace supple {
 enum class Meeting { sites, facets };
 
 /// Of each site, the radius within which it may touch something [length]: its own times the range of the law
-/// and, with Meeting::facets, half of the longest facet there.
+/// and, with Meeting::facets, the largest facet_covering_radius there. A site that touches a facet is then
+/// within the sum of reaches of one of its corners, as the place where they touch is within that radius of
+/// it.
 template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range = 1);
 
