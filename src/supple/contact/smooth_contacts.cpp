@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "supple/contact/coincident.hpp"
+#include "supple/contact/round_bodies.hpp"
 #include "supple/contact/smooth_walk.hpp"
 
 namespace supple {
@@ -62,18 +62,13 @@ struct SmoothContacts::Sum {
 template <class Laws, class Meet>
 void SmoothContacts::walk_discs(const System<2>& system, const Laws& laws, const std::vector<Vec2>& shifts,
                                 std::int64_t begin, std::int64_t end, const Meet& meet) const {
-  const State<2>& state = system.state;
-  for (std::int64_t k = begin; k < end; ++k) {
-    const std::int32_t row = candidates_.disc_rows()[static_cast<std::size_t>(k)];
-    const std::int32_t i = system.pairs.first[row], j = system.pairs.second[row];
-    const Vec2 r = state.position[j] - state.position[i] - shifts[candidates_.images().index()[row]];
-    const double sigma = state.radius[i] + state.radius[j], distance = norm(r);
-    if (!(distance < laws.of(i, j).range() * sigma)) continue;
-    if (!linked_.empty() &&
-        linked_.contains(touch_key(j, TouchOn::body, body_[i], candidates_.cells_of_row(row))))
-      continue;
-    meet(row, i, j, Foot{distance, distance > 0 ? (1 / distance) * r : arbitrary_direction<2>(i, j)}, sigma);
-  }
+  const auto rows = std::span(candidates_.disc_rows())
+                        .subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+  walk_round_bodies(system, laws, rows, candidates_.images(), shifts, linked_, body_,
+                    [&](std::int32_t row, std::int32_t i, std::int32_t j, double distance, const Vec2& normal,
+                        double sigma) {
+                      meet(row, i, j, Foot{distance, normal}, sigma);
+                    });
 }
 
 void SmoothContacts::leave_out_linked(std::vector<std::int32_t>& selected) const {

@@ -31,7 +31,7 @@ void SurfaceFans::update(const Topology<3>& topology, int sites) {
       neighbours[f].speaks_for_corner[k] = at == begin[corners[k]];
     }
 
-  std::vector<std::int32_t> ring;
+  std::vector<std::int32_t> ring, facet_round;
   for (std::int32_t i = 0; i < sites; ++i) {
     const auto first = wedges.begin() + begin[i], last = wedges.begin() + end[i];
     // Puts the wedges in order, each behind the one that ends where it begins.
@@ -46,6 +46,7 @@ void SurfaceFans::update(const Topology<3>& topology, int sites) {
                           "from outside");
       if (!closes) std::iter_swap(wedge + 1, next);
       ring.push_back(wedge->from);
+      facet_round.push_back(wedge->facet);
     }
   }
   for (std::int32_t f = 0; f < facets; ++f)
@@ -62,6 +63,7 @@ void SurfaceFans::update(const Topology<3>& topology, int sites) {
   neighbours_.swap(neighbours);
   begin_.swap(begin);
   ring_.swap(ring);
+  facet_round_.swap(facet_round);
 }
 
 }  // namespace supple

@@ -30,6 +30,12 @@ class SurfaceFans {
     return std::span(ring_).subspan(static_cast<std::size_t>(begin_[site]),
                                     static_cast<std::size_t>(begin_[site + 1] - begin_[site]));
   }
+  /// The triangles there: the first one lies between the first two of round(site).
+  std::span<const std::int32_t> facets_round(std::int32_t site) const {
+    return std::span(facet_round_)
+        .subspan(static_cast<std::size_t>(begin_[site]),
+                 static_cast<std::size_t>(begin_[site + 1] - begin_[site]));
+  }
 
  private:
   struct Wedge;
@@ -37,7 +43,7 @@ class SurfaceFans {
   std::vector<std::array<std::int32_t, 3>> facet_;  ///< what the rest was found for
   int sites_ = 0;
   std::vector<FacetNeighbours> neighbours_;
-  std::vector<std::int32_t> begin_{0}, ring_;
+  std::vector<std::int32_t> begin_{0}, ring_, facet_round_;
 };
 
 }  // namespace supple
