@@ -99,7 +99,7 @@ TEST(BodyTerms, AStiffPerimeterIsKeptInAJam) {
     EXPECT_NEAR(recorder.get("results", "pressure"), 1e-2, 1.1e-4);
     const System<2>& s = recorder.last_system;
     EXPECT_EQ(s.terms.size(), k > 0 ? 1u : 0u);
-    const std::vector<double> perimeter = measure_shapes(s).perimeter;
+    const std::vector<double> perimeter = measure_shapes(s).surface;
     double largest = 0;
     for (std::size_t b = 0; b < perimeter.size(); ++b) {
       double rest = 0;

@@ -108,7 +108,7 @@ TEST(BodyStress, IsTheVirialAndAddsUp) {
       EXPECT_NEAR(part[0][1], part[1][0], 1e-13 * scale);
     for (const Mat2& moment : s.moment) EXPECT_NEAR(moment[0][1], moment[1][0], 1e-12 * area * scale);
     // Weighted by any areas, the stresses of bodies are that of the cell.
-    const std::vector<double> areas = measure_shapes(system).area;
+    const std::vector<double> areas = measure_shapes(system).volume;
     const std::vector<Mat2> of_bodies = s.of_bodies(areas);
     Mat2 weighted;
     for (std::size_t b = 0; b < areas.size(); ++b) weighted += (areas[b] / area) * of_bodies[b];

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "tests/support/meshes.hpp"
 #include "tests/support/polygons.hpp"
 
 namespace supple {
@@ -24,10 +25,10 @@ TEST(ShapeMeasures, ClosedForms) {
   add_square(system, 8, -3, 4, 2);
   add_disc_body(system, {1, 2}, 3);
   add_polygon(system, {5, 6}, 2.5, 7, 0.3, 1, {});
-  const ShapeMeasures m = measure_shapes(system);
-  EXPECT_THAT(m.area, ElementsAre(8, 9 * pi, ::testing::DoubleNear(2.5, 1e-14)));
-  EXPECT_EQ(m.perimeter[0], 12);
-  EXPECT_NEAR(m.perimeter[1], 6 * pi, 1e-14);
+  const ShapeMeasures<2> m = measure_shapes(system);
+  EXPECT_THAT(m.volume, ElementsAre(8, 9 * pi, ::testing::DoubleNear(2.5, 1e-14)));
+  EXPECT_EQ(m.surface[0], 12);
+  EXPECT_NEAR(m.surface[1], 6 * pi, 1e-14);
   EXPECT_NEAR(m.shape_parameter[0], 144 / (32 * pi), 1e-14);
   EXPECT_EQ(m.shape_parameter[1], 0);
   EXPECT_NEAR(m.shape_parameter[2], least_shape_parameter(7), 1e-14);
@@ -41,8 +42,8 @@ TEST(ShapeMeasures, CentreOfAnLShape) {
   System<2> system;
   const std::vector<double> some(6, 1);
   add_ring(system, {{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {0, 2}}, 0.1, {}, 1, some, some);
-  const ShapeMeasures m = measure_shapes(system);
-  EXPECT_EQ(m.area[0], 5);
+  const ShapeMeasures<2> m = measure_shapes(system);
+  EXPECT_EQ(m.volume[0], 5);
   EXPECT_NEAR(m.centre[0][0], (4 * 1 + 2.5) / 5, 1e-15);
   EXPECT_NEAR(m.centre[0][1], (4 * 1 + 0.5) / 5, 1e-15);
 }
@@ -56,6 +57,45 @@ TEST(ShapeMeasures, TheMeanShapeParameterIsThatOfThePolygons) {
   add_square(system, 8, 3, 4, 2);
   add_disc_body(system, {10, 20}, 3);
   EXPECT_NEAR(*mean_shape_parameter(measure_shapes(system)), 0.5 * (16 / (4 * pi) + 144 / (32 * pi)), 1e-14);
+}
+
+void add_mesh(System<3>& system, TriangleMesh mesh, const Vec3& shift) {
+  for (Vec3& x : mesh.vertex) x += shift;
+  add_surface(system, mesh, 0.1, {}, 1, std::vector<double>(mesh.face.size(), 1),
+              std::vector<double>(hinges_of(mesh).size(), 0));
+}
+
+TEST(ShapeMeasures, ClosedFormsInThreeDimensions) {
+  System<3> system;
+  system.box.length = {10, 10, 10};
+  add_mesh(system, testing::box_mesh({2, 3, 4}), {100, -20, 5});
+  add_sphere_body(system, {1, 2, 3}, 2);
+  add_mesh(system, geodesic_icosahedron(42, 2.5), {7, 8, 9});
+  const ShapeMeasures<3> m = measure_shapes(system);
+  EXPECT_NEAR(m.volume[0], 24, 1e-13);
+  EXPECT_NEAR(m.surface[0], 52, 1e-13);
+  EXPECT_NEAR(m.shape_parameter[0], std::pow(52, 1.5) / (6 * std::sqrt(pi) * 24), 1e-14);
+  EXPECT_NEAR(norm(m.centre[0] - Vec3{101, -18.5, 7}), 0, 1e-13);
+  EXPECT_NEAR(m.volume[1], 32 * pi / 3, 1e-13);
+  EXPECT_NEAR(m.surface[1], 16 * pi, 1e-13);
+  EXPECT_EQ(m.shape_parameter[1], 0);
+  EXPECT_EQ(m.centre[1], (Vec3{1, 2, 3}));
+  EXPECT_NEAR(m.volume[2], 2.5, 1e-13);
+  EXPECT_NEAR(m.shape_parameter[2], 1.0241, 5e-5);
+  EXPECT_NEAR(norm(m.centre[2] - Vec3{7, 8, 9}), 0, 1e-13);
+  EXPECT_NEAR(*mean_shape_parameter(m), 0.5 * (m.shape_parameter[0] + m.shape_parameter[2]), 1e-15);
+}
+
+/// An L-shaped beam is the box of (4, 2, 3) and the trapezium between x = 2 .. 4 and 2.3 .. 4 above it.
+TEST(ShapeMeasures, CentreOfAnLShapedBeam) {
+  System<3> system;
+  add_mesh(system, testing::ell_mesh(), {});
+  const ShapeMeasures<3> m = measure_shapes(system);
+  const double box = 4 * 2 * 3, square = 1.7 * 2 * 3, wedge = 0.5 * 0.3 * 2 * 3;
+  EXPECT_NEAR(m.volume[0], box + square + wedge, 1e-13);
+  const double x = (2 * box + 3.15 * square + 2.2 * wedge) / m.volume[0];
+  const double y = (1 * box + 3 * square + (2 + 2.0 / 3) * wedge) / m.volume[0];
+  EXPECT_NEAR(norm(m.centre[0] - Vec3{x, y, 1.5}), 0, 1e-13);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ void surround(const Case& c, const Environment& environment, Packing<2>& p) {
 /// Of all polygons and discs.
 template <int Dim>
 double area_of_shapes(const System<Dim>& system) {
-  const std::vector<double> areas = measure_shapes(system).area;
+  const std::vector<double> areas = measure_shapes(system).volume;
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 

@@ -37,7 +37,7 @@ struct PackingReport {
   ContactNumbers numbers;  ///< without rattlers
   ConstraintCount constraints;
   BodyStresses stresses;
-  ShapeMeasures shapes;
+  ShapeMeasures<2> shapes;
   PackingFraction fraction;
   Soundness soundness;
 };
