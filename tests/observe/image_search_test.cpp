@@ -4,7 +4,7 @@
 
 #include "supple/core/random.hpp"
 #include "supple/model/polygons.hpp"
-#include "supple/observe/body_shapes.hpp"
+#include "supple/observe/body_images.hpp"
 
 namespace supple {
 namespace {

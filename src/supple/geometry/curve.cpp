@@ -75,13 +75,6 @@ void cut_arc_by_circle(const Curve& a, const Curve& b, std::vector<double>& list
 
 }  // namespace
 
-void Bounds::include(const Bounds& b) {
-  for (int d = 0; d < 2; ++d) {
-    low[d] = std::min(low[d], b.low[d]);
-    high[d] = std::max(high[d], b.high[d]);
-  }
-}
-
 Curve Curve::circle(const Vec2& centre, double radius) { return arc(centre, radius, 0, turn); }
 
 Vec2 Curve::at(double t) const {

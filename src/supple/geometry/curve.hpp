@@ -3,23 +3,9 @@
 #include <vector>
 
 #include "supple/core/vec.hpp"
+#include "supple/geometry/bounds.hpp"
 
 namespace supple {
-
-/// A rectangle along the axes.
-struct Bounds {
-  Vec2 low{}, high{};
-
-  bool meets(const Bounds& b) const {
-    return low[0] <= b.high[0] && b.low[0] <= high[0] && low[1] <= b.high[1] && b.low[1] <= high[1];
-  }
-  bool holds(const Vec2& x) const {
-    return low[0] <= x[0] && x[0] <= high[0] && low[1] <= x[1] && x[1] <= high[1];
-  }
-  Bounds shifted(const Vec2& by) const { return {low + by, high + by}; }
-  /// Grows the rectangle to hold `b`.
-  void include(const Bounds& b);
-};
 
 /// A segment, or an arc where `radius` > 0; the parameter t runs from 0 at its begin to 1 at its end.
 struct Curve {

@@ -5,59 +5,89 @@
 #include <algorithm>
 
 #include "supple/core/error.hpp"
+#include "supple/geometry/facet.hpp"
 #include "supple/geometry/hinge.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
 namespace {
 
-void check(const BodyShape& shape, int body, Outline outline) {
-  const auto refuse = [body](const char* why, const char* to_do) {
-    throw input_error(fmt::format("no area for body {}", body), why, to_do);
-  };
-  for (int i = 0; i < shape.size(); ++i) {
-    if (!std::isfinite(shape.ring[i][0]) || !std::isfinite(shape.ring[i][1]))
-      refuse("a position is not finite", "look at the state");
-    if (!(shape.radius[i] >= 0) || std::isinf(shape.radius[i]))
-      refuse("a radius is negative or not finite", "give radii");
-    if (outline == Outline::smooth && shape.radius[i] != shape.radius[0])
-      refuse("its radii differ", "give one radius to a body of smooth outline");
+[[noreturn]] void refuse(int body, const char* why, const char* to_do) {
+  throw input_error(fmt::format("no area or volume for body {}", body), why, to_do);
+}
+
+template <int Dim>
+void check_numbers(const std::vector<Vec<Dim>>& site, const std::vector<double>& radius, int body,
+                   Outline outline) {
+  for (std::size_t i = 0; i < site.size(); ++i) {
+    for (int d = 0; d < Dim; ++d)
+      if (!std::isfinite(site[i][d])) refuse(body, "a position is not finite", "look at the state");
+    if (!(radius[i] >= 0) || std::isinf(radius[i]))
+      refuse(body, "a radius is negative or not finite", "give radii");
+    if (outline == Outline::smooth && radius[i] != radius[0])
+      refuse(body, "its radii differ", "give one radius to a body of smooth outline");
   }
+}
+
+void check(const BodyShape& shape, int body, Outline outline) {
+  check_numbers<2>(shape.ring, shape.radius, body, outline);
   if (shape.is_disc()) return;
   for (int i = 0; i < shape.size(); ++i)
     if (shape.ring[i] == shape.ring[shape.next(i)])
-      refuse("two neighbours on its ring are in one place", "move them apart");
-  if (shape.size() < 3) refuse("it has two sites", "give one (a disc) or at least three (a polygon)");
+      refuse(body, "two neighbours on its ring are in one place", "move them apart");
+  if (shape.size() < 3) refuse(body, "it has two sites", "give one (a disc) or at least three (a polygon)");
   if (!(polygon_area(shape.ring) > 0))
-    refuse("its sites run clockwise", "order them counter-clockwise, unwrapped");
+    refuse(body, "its sites run clockwise", "order them counter-clockwise, unwrapped");
 }
 
-Bounds bounds_with_discs(const BodyShape& shape) {
-  Bounds all{shape.ring[0], shape.ring[0]};
-  for (int i = 0; i < shape.size(); ++i) {
-    const Vec2 reach{shape.radius[i], shape.radius[i]};
-    all.include({shape.ring[i] - reach, shape.ring[i] + reach});
-  }
+void check(const SurfaceShape& shape, int body, Outline outline) {
+  check_numbers<3>(shape.vertex, shape.radius, body, outline);
+  if (shape.size() == 1) return;
+  if (shape.is_sphere())
+    refuse(body, "it has several sites and no surface", "give one site (a sphere) or a closed surface");
+  if (!(shape.polyhedron() > 0))
+    refuse(body, "its triangles look inward, or it encloses nothing",
+           "order the corners of every triangle counter-clockwise as seen from outside");
+}
+
+template <int Dim>
+BoundsOf<Dim> bounds_with_discs(const std::vector<Vec<Dim>>& site, const std::vector<double>& radius) {
+  BoundsOf<Dim> all{site[0], site[0]};
+  for (std::size_t i = 0; i < site.size(); ++i) all.include(BoundsOf<Dim>{site[i], site[i]}.grown(radius[i]));
   return all;
 }
 
-void bring_into_cell(BodyShape& shape, const Box<2>& box) {
-  const Vec2 middle = 0.5 * (shape.bounds.low + shape.bounds.high);
-  const Vec2 shift = -box.lattice().vector(box.lattice().cell_of(middle));
-  for (Vec2& x : shape.ring) x += shift;
-  shape.bounds = shape.bounds.shifted(shift);
+/// Copies the sites of a body and brings the middle of their bounds into the cell.
+template <int Dim>
+BoundsOf<Dim> lay_out(const System<Dim>& system, int body, std::vector<Vec<Dim>>& site,
+                      std::vector<double>& radius) {
+  const State<Dim>& state = system.state;
+  const int first = system.topology.body_begin(body), last = system.topology.body_end(body);
+  if (last <= first) refuse(body, "it has no site", "leave it out");
+  site.assign(state.position.begin() + first, state.position.begin() + last);
+  radius.assign(state.radius.begin() + first, state.radius.begin() + last);
+  const BoundsOf<Dim> bounds = bounds_with_discs(site, radius);
+  const Lattice<Dim> lattice = system.box.lattice();
+  const Vec<Dim> shift = -lattice.vector(lattice.cell_of(0.5 * (bounds.low + bounds.high)));
+  for (Vec<Dim>& x : site) x += shift;
+  return bounds.shifted(shift);
 }
 
-/// Copies of a body along one direction, and of all bodies for each of them. Bodies are less than a cell
-/// wide, so that ten meet the cell; a damaged size would make more than there is memory.
-constexpr double most_copies = 1e6;
-constexpr std::size_t most_images = 1000;
+template <int Dim>
+void check_cell(const Box<Dim>& box) {
+  for (int d = 0; d < Dim; ++d)
+    if (!(box.length[d] > 0) || std::isinf(box.length[d]))
+      throw input_error(fmt::format("the cell has length {}", box.length[d]), "out of range",
+                        "give positive lengths");
+}
 
-[[noreturn]] void refuse_copies(int body, const Bounds& b, const Box<2>& box) {
-  throw input_error(
-      fmt::format("no copies of body {}, {:.3g} x {:.3g} in size, in a cell of {:.3g} x {:.3g}", body,
-                  b.high[0] - b.low[0], b.high[1] - b.low[1], box.length[0], box.length[1]),
-      "there would be thousands", "look for a wrong unit or a damaged number");
+/// [from, to) of these lists of sites, in the numbers of the body that begins at site `first`.
+template <std::size_t N>
+void own_numbers(const std::vector<std::array<std::int32_t, N>>& all, std::int32_t from, std::int32_t to,
+                 std::int32_t first, std::vector<std::array<std::int32_t, N>>& own) {
+  own.assign(all.begin() + from, all.begin() + to);
+  for (auto& sites : own)
+    for (std::int32_t& site : sites) site -= first;
 }
 
 }  // namespace
@@ -71,22 +101,33 @@ double BodyShape::turn_at(int i) const {
   return hinge_angle(corner);
 }
 
+double SurfaceShape::polyhedron() const {
+  double volume = 0;
+  for (const auto& f : face) {
+    const Vec3 x[3] = {vertex[f[0]] - vertex[0], vertex[f[1]] - vertex[0], vertex[f[2]] - vertex[0]};
+    volume += facet_volume(x);
+  }
+  return volume;
+}
+
 std::vector<BodyShape> lay_out_bodies(const System<2>& system) {
-  for (int d = 0; d < 2; ++d)
-    if (!(system.box.length[d] > 0) || std::isinf(system.box.length[d]))
-      throw input_error(fmt::format("the cell has length {}", system.box.length[d]), "out of range",
-                        "give positive lengths");
-  const State<2>& state = system.state;
-  std::vector<BodyShape> shapes(static_cast<std::size_t>(system.topology.body_count(state.size())));
+  check_cell(system.box);
+  std::vector<BodyShape> shapes(static_cast<std::size_t>(system.topology.body_count(system.state.size())));
+  for (int body = 0; body < static_cast<int>(shapes.size()); ++body)
+    shapes[body].bounds = lay_out(system, body, shapes[body].ring, shapes[body].radius);
+  return shapes;
+}
+
+std::vector<SurfaceShape> lay_out_bodies(const System<3>& system) {
+  check_cell(system.box);
+  const Topology<3>& t = system.topology;
+  std::vector<SurfaceShape> shapes(static_cast<std::size_t>(t.body_count(system.state.size())));
   for (int body = 0; body < static_cast<int>(shapes.size()); ++body) {
-    const int first = system.topology.body_begin(body), last = system.topology.body_end(body);
-    if (last <= first)
-      throw input_error(fmt::format("no area for body {}", body), "it has no site", "leave it out");
-    BodyShape& shape = shapes[body];
-    shape.ring.assign(state.position.begin() + first, state.position.begin() + last);
-    shape.radius.assign(state.radius.begin() + first, state.radius.begin() + last);
-    shape.bounds = bounds_with_discs(shape);
-    bring_into_cell(shape, system.box);
+    SurfaceShape& shape = shapes[body];
+    shape.bounds = lay_out(system, body, shape.vertex, shape.radius);
+    if (shape.size() == 1) continue;
+    own_numbers(t.facet, t.facet_begin[body], t.facet_begin[body + 1], t.body_begin(body), shape.face);
+    own_numbers(t.hinge, t.hinge_begin[body], t.hinge_begin[body + 1], t.body_begin(body), shape.hinge);
   }
   return shapes;
 }
@@ -97,77 +138,10 @@ std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
   return shapes;
 }
 
-std::vector<BodyImage> images_in(const Bounds& region, std::span<const BodyShape> bodies, const Box<2>& box) {
-  std::vector<BodyImage> images;
-  // Cells by which `low .. high` can be displaced along d so that it meets the region.
-  const auto cells = [&](int d, double low, double high) {
-    if (!box.periodic[d]) return std::pair{0.0, 0.0};
-    return std::pair{std::ceil((region.low[d] - high) / box.length[d]),
-                     std::floor((region.high[d] - low) / box.length[d])};
-  };
-  for (int body = 0; body < static_cast<int>(bodies.size()); ++body) {
-    const Bounds& own = bodies[body].bounds;
-    const auto [lowest, highest] = cells(gradient, own.low[gradient], own.high[gradient]);
-    if (!(highest - lowest < most_copies)) refuse_copies(body, own, box);
-    for (double up = lowest; up <= highest; ++up) {
-      const double sheared = box.lattice().vector({0, up})[flow];
-      const auto [first, last] = cells(flow, own.low[flow] + sheared, own.high[flow] + sheared);
-      if (!(last - first < most_copies)) refuse_copies(body, own, box);
-      for (double across = first; across <= last; ++across) {
-        const Vec2 shift = box.lattice().vector({across, up});
-        const Bounds bounds = own.shifted(shift);
-        if (!bounds.meets(region)) continue;
-        images.push_back({body, shift, bounds});
-        if (images.size() > most_images * bodies.size()) refuse_copies(body, own, box);
-      }
-    }
-  }
-  return images;
-}
-
-Bounds bounds_of(std::span<const BodyShape> bodies) {
-  Bounds all = bodies.empty() ? Bounds{} : bodies[0].bounds;
-  for (const BodyShape& body : bodies) all.include(body.bounds);
-  return all;
-}
-
-ImageSearch::ImageSearch(std::span<const BodyShape> bodies, const Box<2>& box)
-    : bodies_(bodies), images_(images_in(bounds_of(bodies), bodies, box)) {
-  std::stable_sort(images_.begin(), images_.end(),
-                   [](const BodyImage& a, const BodyImage& b) { return a.bounds.low[0] < b.bounds.low[0]; });
-  for (const BodyShape& body : bodies) {
-    widest_ = std::max(widest_, body.bounds.high[0] - body.bounds.low[0]);
-    tallest_ = std::max(tallest_, body.bounds.high[1] - body.bounds.low[1]);
-  }
-  const Bounds all = bounds_of(bodies);
-  lowest_ = all.low[1] - tallest_;
-  const double rows = tallest_ > 0 ? (all.high[1] - lowest_) / tallest_ : 0;
-  rows_.resize(1 + static_cast<std::size_t>(std::clamp(rows, 0.0, static_cast<double>(bodies.size()))));
-  for (std::size_t k = 0; k < images_.size(); ++k)
-    rows_[row_of(images_[k].bounds.low[1])].push_back(static_cast<std::int32_t>(k));
-}
-
-int ImageSearch::row_of(double height) const {
-  const double row = tallest_ > 0 ? (height - lowest_) / tallest_ : 0;
-  return static_cast<int>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
-}
-
-void ImageSearch::find(int body, std::vector<BodyImage>& found) const {
-  const Bounds& bounds = bodies_[body].bounds;
-  found.clear();
-  const double leftmost = bounds.low[0] - 1.001 * widest_;
-  std::vector<std::int32_t> near;
-  for (int row = row_of(bounds.low[1] - 1.001 * tallest_); row <= row_of(bounds.high[1]); ++row) {
-    const auto left_of = [&](std::int32_t k, double x) { return images_[k].bounds.low[0] < x; };
-    auto k = std::lower_bound(rows_[row].begin(), rows_[row].end(), leftmost, left_of);
-    for (; k != rows_[row].end() && images_[*k].bounds.low[0] <= bounds.high[0]; ++k) {
-      const BodyImage& image = images_[*k];
-      const bool itself = image.body == body && image.shift == Vec2{};
-      if (!itself && image.bounds.meets(bounds)) near.push_back(*k);
-    }
-  }
-  std::sort(near.begin(), near.end());  // sums go from left to right
-  for (const std::int32_t k : near) found.push_back(images_[k]);
+std::vector<SurfaceShape> body_shapes(const System<3>& system, Outline outline) {
+  std::vector<SurfaceShape> shapes = lay_out_bodies(system);
+  for (int body = 0; body < static_cast<int>(shapes.size()); ++body) check(shapes[body], body, outline);
+  return shapes;
 }
 
 }  // namespace supple

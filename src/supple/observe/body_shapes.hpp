@@ -1,15 +1,18 @@
-/// The bodies of a periodic cell laid out in the plane, with the images of others that they may meet.
+/// The bodies of a cell laid out in space, each in one copy.
 #pragma once
-#include <span>
+#include <array>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
-#include "supple/geometry/curve.hpp"
+#include "supple/geometry/bounds.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
 
-/// What a body covers. Rough: the polygon and a disc at every site, of the site's radius. Smooth: everything
-/// within that radius of the polygon. A body of one site is a disc either way.
+/// What a body covers. Rough: the polygon or polyhedron and a disc or sphere at every site, of the site's
+/// radius. Smooth: everything within that radius of the polygon or polyhedron. A body of one site is a disc
+/// or sphere either way.
 enum class Outline { rough, smooth };
 
 /// A body near the cell: a disc (one site) or a polygon, counter-clockwise.
@@ -27,45 +30,41 @@ struct BodyShape {
   double turn_at(int i) const;
 };
 
-/// The copy of a body displaced by `shift`.
-struct BodyImage {
-  int body;
-  Vec2 shift;
-  Bounds bounds;
+/// A body near the cell: a sphere (one site) or a closed surface. Triangles and hinges are those of Topology,
+/// with numbers of the body's own vertices.
+struct SurfaceShape {
+  std::vector<Vec3> vertex;
+  std::vector<double> radius;  ///< of the sphere at each vertex; smooth: reach beyond the polyhedron
+  std::vector<std::array<std::int32_t, 3>> face;
+  std::vector<std::array<std::int32_t, 4>> hinge;
+  BoundsOf<3> bounds;  ///< of all that the body covers
+
+  bool is_sphere() const { return face.empty(); }
+  int size() const { return static_cast<int>(vertex.size()); }
+  /// The corners of a triangle or of a hinge.
+  template <std::size_t N>
+  std::array<Vec3, N> corners(const std::array<std::int32_t, N>& of) const {
+    std::array<Vec3, N> x;
+    for (std::size_t k = 0; k < N; ++k) x[k] = vertex[static_cast<std::size_t>(of[k])];
+    return x;
+  }
+  /// Volume within the surface alone [length^3]; 0 for a sphere.
+  double polyhedron() const;
 };
+
+template <int Dim>
+using ShapeOf = std::conditional_t<Dim == 2, BodyShape, SurfaceShape>;
 
 /// One copy of every body of any shape, the middle of its bounds brought into the cell. Throws an input error
 /// on a cell without size and on a body without sites.
 std::vector<BodyShape> lay_out_bodies(const System<2>& system);
+std::vector<SurfaceShape> lay_out_bodies(const System<3>& system);
 
-/// The same for bodies that must have an area. Throws an input error also on a body of two sites, a ring that
-/// is clockwise or has two neighbours in one place, a negative radius, a number that is not finite, and for
-/// smooth outlines a ring of unequal radii.
+/// The same for bodies that must have an area or a volume. Throws an input error also on a ring that is
+/// clockwise or has two neighbours in one place, a surface whose triangles look inward, a body of several
+/// sites without either, a negative radius, a number that is not finite, and for smooth outlines a body of
+/// unequal radii.
 std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline);
-
-/// All periodic copies of bodies whose bounds meet `region`.
-std::vector<BodyImage> images_in(const Bounds& region, std::span<const BodyShape> bodies, const Box<2>& box);
-
-/// A rectangle that holds all of them.
-Bounds bounds_of(std::span<const BodyShape> bodies);
-
-/// Finds the copies of bodies that may meet a given body, by their bounds.
-class ImageSearch {
- public:
-  /// Every copy that may meet one of `bodies`.
-  ImageSearch(std::span<const BodyShape> bodies, const Box<2>& box);
-
-  /// Replaces `found` by the copies whose bounds meet those of `body`, except `body` itself.
-  void find(int body, std::vector<BodyImage>& found) const;
-
- private:
-  std::span<const BodyShape> bodies_;
-  int row_of(double height) const;
-
-  std::vector<BodyImage> images_;  ///< in the order of their left ends
-  double widest_ = 0, tallest_ = 0, lowest_ = 0;
-  std::vector<std::vector<std::int32_t>>
-      rows_;  ///< indices of images, in rows of equal height by their lower ends
-};
+std::vector<SurfaceShape> body_shapes(const System<3>& system, Outline outline);
 
 }  // namespace supple

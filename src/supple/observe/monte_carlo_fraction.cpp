@@ -113,18 +113,6 @@ class Raster {
   std::vector<BodyImage> list_;
 };
 
-/// The cell; in a direction without periods, as far as bodies reach there, images included.
-Bounds sampled_region(std::span<const BodyShape> bodies, const Box<2>& box) {
-  const Bounds cell{{}, box.length};
-  Bounds unlimited = cell, region = cell;
-  for (int d = 0; d < 2; ++d)
-    if (!box.periodic[d]) unlimited.low[d] = -INFINITY, unlimited.high[d] = INFINITY;
-  for (const BodyImage& image : images_in(unlimited, bodies, box)) region.include(image.bounds);
-  for (int d = 0; d < 2; ++d)
-    if (box.periodic[d]) region.low[d] = cell.low[d], region.high[d] = cell.high[d];
-  return region;
-}
-
 /// Number of cells: making a cell pays if several points fall on it, and all cells should fit the cache.
 int raster_level(std::int64_t points) {
   int level = 4;
@@ -138,7 +126,7 @@ MonteCarloFraction monte_carlo_fraction(const System<2>& system, Outline outline
                                         std::uint64_t seed) {
   require(points > 0, "points", static_cast<double>(points), "at least 1");
   const std::vector<BodyShape> bodies = body_shapes(system, outline);
-  const Bounds region = sampled_region(bodies, system.box);
+  const Bounds region = region_of<2>(bodies, system.box);
   const Raster raster(bodies, outline, system.box, region, raster_level(points));
 
   constexpr std::int64_t points_of_stream = 1024;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "supple/geometry/bands.hpp"
+#include "supple/geometry/curve.hpp"
 #include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 

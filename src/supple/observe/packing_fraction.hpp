@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "supple/observe/body_shapes.hpp"
+#include "supple/observe/body_images.hpp"
 
 namespace supple {
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "supple/geometry/curve.hpp"
 #include "supple/geometry/disc_overlap.hpp"
 #include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"

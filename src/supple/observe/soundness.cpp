@@ -9,6 +9,7 @@
 #include "supple/geometry/inside.hpp"
 #include "supple/geometry/polygon.hpp"
 #include "supple/geometry/self_crossing.hpp"
+#include "supple/observe/body_images.hpp"
 
 namespace supple {
 
@@ -48,15 +49,6 @@ Bounds bounds_of_ring(const BodyShape& shape) {
   Bounds bounds{shape.ring[0], shape.ring[0]};
   for (const Vec2& x : shape.ring) bounds.include({x, x});
   return bounds;
-}
-
-Bounds common_part(const Bounds& a, const Bounds& b) {
-  Bounds both = a;
-  for (int d = 0; d < 2; ++d) {
-    both.low[d] = std::max(a.low[d], b.low[d]);
-    both.high[d] = std::min(a.high[d], b.high[d]);
-  }
-  return both;
 }
 
 class Look {
