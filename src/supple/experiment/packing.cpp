@@ -8,6 +8,7 @@
 
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
+#include "supple/contact/smooth_surfaces.hpp"
 #include "supple/core/error.hpp"
 #include "supple/energy/collapse.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
@@ -17,9 +18,11 @@
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
+#include "supple/force/surface_shape.hpp"
 #include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/model/sanity.hpp"
+#include "supple/model/surfaces.hpp"
 #include "supple/observe/shape_measures.hpp"
 
 namespace supple {
@@ -66,11 +69,11 @@ double mean_radius(const System<Dim>& system) {
 template <int Dim>
 ForceField<Dim> make_body_field(const Case& c) {
   using Smooth = std::conditional_t<Dim == 2, SmoothContacts, SmoothSurfaces>;
-  using Shape = std::conditional_t<Dim == 2, PolygonShape, SurfaceShape>;
+  using WholeShape = std::conditional_t<Dim == 2, PolygonShape, SurfaceShape>;
   const ContactLaws laws = contact_laws(c);
   ForceField<Dim> field =
       c.contact.kind == "smooth" ? ForceField<Dim>(Smooth(laws)) : ForceField<Dim>(RoughContacts<Dim>(laws));
-  field.terms().add(std::make_shared<Shape>());
+  field.terms().add(std::make_shared<WholeShape>());
   field.terms().add(std::make_shared<BodyTermSet<Dim>>());
   return field;
 }
@@ -143,9 +146,9 @@ double collapsing_tension_of(const System<3>& s, std::size_t b) {
   const double to_rest = std::pow(s.shape.rest_volume[b] / enclosed_volume(mesh), 2.0 / 3);
   std::vector<double> areas = face_areas(mesh);
   for (double& a : areas) a *= to_rest;
-  return collapsing_tension(
-      s.shape.stiffness[b], s.shape.rest_volume[b], areas,
-      std::span(s.shape.rest_facet).subspan(static_cast<std::size_t>(s.topology.facet_begin[b]), areas.size()));
+  return collapsing_tension(s.shape.stiffness[b], s.shape.rest_volume[b], areas,
+                            std::span(s.shape.rest_facet)
+                                .subspan(static_cast<std::size_t>(s.topology.facet_begin[b]), areas.size()));
 }
 
 /// Input error where tension would shrink a particle to a point.
@@ -240,7 +243,7 @@ namespace {
 
 /// The particles of a state, or random ones of the case.
 Packing<2> packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                     const Enclosure& enclosure, const Making& making) {
+                        const Enclosure& enclosure, const Making& making) {
   check_initial(c, initial, making);
   Packing<2> p;
   if (initial) {
@@ -263,14 +266,14 @@ Packing<2> packing_from(const Case& c, const InitialState* initial, double packi
 }  // namespace
 
 Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                     const Making& making) {
+                        const Making& making) {
   Packing<2> p = packing_from(c, initial, packing_fraction_wanted, {}, making);
   if (initial) surround(c, initial->environment, p);
   return p;
 }
 
 Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                           double aspect_ratio, const Making& making) {
+                              double aspect_ratio, const Making& making) {
   if (initial && (initial->system.box.periodic[0] || initial->system.box.periodic[1]))
     throw input_error("the state to start from is periodic",
                       fmt::format("{} needs a box of walls", c.general.experiment),

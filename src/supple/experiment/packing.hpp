@@ -30,7 +30,7 @@ struct Packing {
   System<Dim> system;
   Owned<ForceField<Dim>> field;
   Outline outline = Outline::rough;
-  double pressure_unit = 1;                ///< k_a a0 (3D: k_v v0) of a small particle; k_c for discs and rigid ones
+  double pressure_unit = 1;  ///< k_a a0 (3D: k_v v0) of a small particle; k_c for discs and rigid ones
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
   ForceTolerance tolerance;
   MinimiseSpec minimise;
@@ -38,7 +38,7 @@ struct Packing {
   double covered_area = 0;        ///< (3D: volume) by all bodies when the packing was made [length^Dim]
   double shape_area = 0;          ///< of their polygons (surfaces) and discs then, overlaps counted twice
   OnUnsound on_unsound = OnUnsound::stop;
-  Box<Dim> cell;                     ///< at first: that of the system, except for particles set apart
+  Box<Dim> cell;                       ///< at first: that of the system, except for particles set apart
   std::optional<System<Dim>> relaxed;  ///< the last sound state in equilibrium: remember()
 
   /// All that a case does not say, for a packing that was made from the same case.
@@ -65,20 +65,26 @@ struct Making {
 /// The particles of the case at random positions without overlap in a square periodic cell of this packing
 /// fraction, or the particles of `initial`. Throws input errors where the case asks for what cannot be.
 Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction,
-                     const Making& making = {});
+                        const Making& making = {});
 
 /// The same between four walls, with this height over width; as far as there is room no particle reaches
 /// beyond a wall. The packing fraction is of the area between the walls. A state keeps its own box; input
 /// error where that is periodic, under gravity or without some of the walls.
 Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction,
-                           double aspect_ratio, const Making& making = {});
+                              double aspect_ratio, const Making& making = {});
 
 /// make_packing() for experiments that change the size of the cell, at jamming.packing_fraction. Input error
 /// where `initial` is not periodic.
 Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
+/// What the case says of these particles, wherever they come from. Input errors on particles that cannot be
+/// computed with, are in each other, or would shrink to points.
+template <int Dim>
+Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places = Places::random);
+
 /// The force field that the case describes.
-ForceField<2> make_body_field(const Case& c);
+template <int Dim>
+ForceField<Dim> make_body_field(const Case& c);
 
 /// The walls that the case describes.
 WallLaw<2> wall_law(const Case& c);

@@ -73,7 +73,7 @@ auto bounds_of_all(std::span<const Shape> bodies) {
 }  // namespace
 
 Bounds bounds_of(std::span<const BodyShape> bodies) { return bounds_of_all(bodies); }
-BoundsOf<3> bounds_of(std::span<const SurfaceShape> bodies) { return bounds_of_all(bodies); }
+BoundsOf<3> bounds_of(std::span<const BodySurface> bodies) { return bounds_of_all(bodies); }
 
 template <int Dim>
 std::vector<ImageOf<Dim>> images_in(const BoundsOf<Dim>& region, std::span<const ShapeOf<Dim>> bodies,
@@ -141,9 +141,9 @@ void ImageSearch<Dim>::find(int body, std::vector<ImageOf<Dim>>& found) const {
 }
 
 template std::vector<ImageOf<2>> images_in(const BoundsOf<2>&, std::span<const BodyShape>, const Box<2>&);
-template std::vector<ImageOf<3>> images_in(const BoundsOf<3>&, std::span<const SurfaceShape>, const Box<3>&);
+template std::vector<ImageOf<3>> images_in(const BoundsOf<3>&, std::span<const BodySurface>, const Box<3>&);
 template BoundsOf<2> region_of(std::span<const BodyShape>, const Box<2>&);
-template BoundsOf<3> region_of(std::span<const SurfaceShape>, const Box<3>&);
+template BoundsOf<3> region_of(std::span<const BodySurface>, const Box<3>&);
 template class ImageSearch<2>;
 template class ImageSearch<3>;
 

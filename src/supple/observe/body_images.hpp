@@ -26,7 +26,7 @@ std::vector<ImageOf<Dim>> images_in(const BoundsOf<Dim>& region, std::span<const
 
 /// What holds all of them.
 Bounds bounds_of(std::span<const BodyShape> bodies);
-BoundsOf<3> bounds_of(std::span<const SurfaceShape> bodies);
+BoundsOf<3> bounds_of(std::span<const BodySurface> bodies);
 
 /// The cell; in a direction without periods, as far as bodies reach there, images included.
 template <int Dim>

@@ -40,7 +40,7 @@ void check(const BodyShape& shape, int body, Outline outline) {
     refuse(body, "its sites run clockwise", "order them counter-clockwise, unwrapped");
 }
 
-void check(const SurfaceShape& shape, int body, Outline outline) {
+void check(const BodySurface& shape, int body, Outline outline) {
   check_numbers<3>(shape.vertex, shape.radius, body, outline);
   if (shape.size() == 1) return;
   if (shape.is_sphere())
@@ -101,7 +101,7 @@ double BodyShape::turn_at(int i) const {
   return hinge_angle(corner);
 }
 
-double SurfaceShape::polyhedron() const {
+double BodySurface::polyhedron() const {
   double volume = 0;
   for (const auto& f : face) {
     const Vec3 x[3] = {vertex[f[0]] - vertex[0], vertex[f[1]] - vertex[0], vertex[f[2]] - vertex[0]};
@@ -118,12 +118,12 @@ std::vector<BodyShape> lay_out_bodies(const System<2>& system) {
   return shapes;
 }
 
-std::vector<SurfaceShape> lay_out_bodies(const System<3>& system) {
+std::vector<BodySurface> lay_out_bodies(const System<3>& system) {
   check_cell(system.box);
   const Topology<3>& t = system.topology;
-  std::vector<SurfaceShape> shapes(static_cast<std::size_t>(t.body_count(system.state.size())));
+  std::vector<BodySurface> shapes(static_cast<std::size_t>(t.body_count(system.state.size())));
   for (int body = 0; body < static_cast<int>(shapes.size()); ++body) {
-    SurfaceShape& shape = shapes[body];
+    BodySurface& shape = shapes[body];
     shape.bounds = lay_out(system, body, shape.vertex, shape.radius);
     if (shape.size() == 1) continue;
     own_numbers(t.facet, t.facet_begin[body], t.facet_begin[body + 1], t.body_begin(body), shape.face);
@@ -138,8 +138,8 @@ std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline) {
   return shapes;
 }
 
-std::vector<SurfaceShape> body_shapes(const System<3>& system, Outline outline) {
-  std::vector<SurfaceShape> shapes = lay_out_bodies(system);
+std::vector<BodySurface> body_shapes(const System<3>& system, Outline outline) {
+  std::vector<BodySurface> shapes = lay_out_bodies(system);
   for (int body = 0; body < static_cast<int>(shapes.size()); ++body) check(shapes[body], body, outline);
   return shapes;
 }

@@ -32,7 +32,7 @@ struct BodyShape {
 
 /// A body near the cell: a sphere (one site) or a closed surface. Triangles and hinges are those of Topology,
 /// with numbers of the body's own vertices.
-struct SurfaceShape {
+struct BodySurface {
   std::vector<Vec3> vertex;
   std::vector<double> radius;  ///< of the sphere at each vertex; smooth: reach beyond the polyhedron
   std::vector<std::array<std::int32_t, 3>> face;
@@ -53,18 +53,18 @@ struct SurfaceShape {
 };
 
 template <int Dim>
-using ShapeOf = std::conditional_t<Dim == 2, BodyShape, SurfaceShape>;
+using ShapeOf = std::conditional_t<Dim == 2, BodyShape, BodySurface>;
 
 /// One copy of every body of any shape, the middle of its bounds brought into the cell. Throws an input error
 /// on a cell without size and on a body without sites.
 std::vector<BodyShape> lay_out_bodies(const System<2>& system);
-std::vector<SurfaceShape> lay_out_bodies(const System<3>& system);
+std::vector<BodySurface> lay_out_bodies(const System<3>& system);
 
 /// The same for bodies that must have an area or a volume. Throws an input error also on a ring that is
 /// clockwise or has two neighbours in one place, a surface whose triangles look inward, a body of several
 /// sites without either, a negative radius, a number that is not finite, and for smooth outlines a body of
 /// unequal radii.
 std::vector<BodyShape> body_shapes(const System<2>& system, Outline outline);
-std::vector<SurfaceShape> body_shapes(const System<3>& system, Outline outline);
+std::vector<BodySurface> body_shapes(const System<3>& system, Outline outline);
 
 }  // namespace supple
