@@ -196,7 +196,8 @@ double force_on_site(double pressure, double diameter) {
   return force;
 }
 
-/// What the case says of these particles.
+}  // namespace
+
 template <int Dim>
 Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   require_sane(system, "this packing");
@@ -223,6 +224,8 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   return p;
 }
 
+namespace {
+
 /// The particles of a state with the stiffnesses of the case.
 System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
   System<2> system = initial.system;
@@ -236,10 +239,6 @@ System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
   give_stiffness(c, system);
   return system;
 }
-
-}  // namespace
-
-namespace {
 
 /// The particles of a state, or random ones of the case.
 Packing<2> packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
@@ -300,8 +299,9 @@ Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, con
 
 template <int Dim>
 double covered_fraction(const Packing<Dim>& packing) {
-  return packing.outline == Outline::rough ? rough_sum(packing.system).total
-                                           : packing_fraction(packing.system, packing.outline).total;
+  if constexpr (Dim == 2)
+    if (packing.outline == Outline::rough) return rough_sum(packing.system).total;
+  return packing_fraction(packing.system, packing.outline).total;
 }
 
 template <int Dim>
@@ -322,5 +322,16 @@ PackingState<Dim> observe(Packing<Dim>& packing) {
   s.energy = all.energy.stored();
   return s;
 }
+
+template void Packing<2>::keep(Keeper&);
+template ForceField<2> make_body_field(const Case&);
+template Packing<2> packing_of(const Case&, System<2>, Places);
+template double covered_fraction(const Packing<2>&);
+template PackingState<2> observe(Packing<2>&);
+template void Packing<3>::keep(Keeper&);
+template ForceField<3> make_body_field(const Case&);
+template Packing<3> packing_of(const Case&, System<3>, Places);
+template double covered_fraction(const Packing<3>&);
+template PackingState<3> observe(Packing<3>&);
 
 }  // namespace supple
