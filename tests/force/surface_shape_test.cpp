@@ -240,13 +240,15 @@ TEST(SurfaceShape, GivesTheSameBitsForOneAndTwoThreads) {
 
 TEST(SurfaceShape, RefusesSurfacesThatAreNotClosed) {
   const System<3> whole = testing::random_surfaces({.vertices = {12, 42}});
-  System<3> hole = whole, twice = whole, turned = whole, foreign = whole;
+  System<3> hole = whole, missing = whole, twice = whole, turned = whole, foreign = whole;
   hole.topology.facet.pop_back();
   --hole.topology.facet_begin.back();
+  missing.topology.hinge.pop_back();
+  --missing.topology.hinge_begin.back();
   twice.topology.hinge[3] = twice.topology.hinge[4];
   std::swap(turned.topology.facet[5][0], turned.topology.facet[5][1]);
   foreign.topology.facet[7][0] += 12;
-  for (const System<3>* system : {&hole, &twice, &turned, &foreign}) {
+  for (const System<3>* system : {&hole, &missing, &twice, &turned, &foreign}) {
     EXPECT_THROW(fast(*system), Error);
     HessianBlocks<3> blocks;
     EXPECT_THROW(SurfaceShape().add_hessian(*system, blocks), Error);
