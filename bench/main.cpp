@@ -16,6 +16,7 @@
 #include "bench/packings.hpp"
 #include "bench/pictures.hpp"
 #include "bench/shells.hpp"
+#include "bench/surfaces.hpp"
 #include "bench/threads.hpp"
 #include "supple/core/version.hpp"
 #include "supple/experiment/experiments.hpp"
@@ -183,8 +184,8 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | cells | peers | run | shells | jamming | pictures | threads]...: these tables, or
-/// all.
+/// supple_bench [sizes | cells | peers | run | shells | surfaces | jamming | pictures | threads]...: these
+/// tables, or all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -204,6 +205,7 @@ int main(int argc, char** argv) {
     print_shells(comparison.lammps / lammps_published);
     print_shell_sizes();
   }
+  if (wants("surfaces")) print_surfaces();
   if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
   if (wants("pictures")) print_pictures();
   if (wants("threads")) print_threads();

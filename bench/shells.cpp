@@ -3,12 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 
 #include "bench/machine.hpp"
 #include "bench/packings.hpp"
+#include "bench/time_per_vertex.hpp"
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/experiment/packing.hpp"
 #include "supple/force/polygon_shape.hpp"
@@ -21,24 +20,6 @@ namespace supple::bench {
 namespace {
 
 constexpr int vertices = 20;
-
-/// Nanoseconds of each call per vertex: the fastest of many short turns, which is what the code takes when
-/// nobody disturbs it. The calls take turns, so that they meet the same disturbances.
-template <std::size_t n>
-std::array<double, n> time_per_vertex(const System<2>& system,
-                                      const std::array<std::function<void()>, n>& calls) {
-  const int size = system.state.size(), repeats = std::max(1, 40'000 / size),
-            turns = size > 100'000 ? 10 : 500;
-  std::array<double, n> best;
-  best.fill(1e300);
-  for (int turn = 0; turn < turns; ++turn)
-    for (std::size_t c = 0; c < n; ++c) {
-      const double start = cpu_seconds();
-      for (int k = 0; k < repeats; ++k) calls[c]();
-      best[c] = std::min(best[c], 1e9 * (cpu_seconds() - start) / (static_cast<double>(repeats) * size));
-    }
-  return best;
-}
 
 /// The packing side by side with copies of itself, so that a large one costs no minimisation.
 System<2> tiled(const System<2>& tile, int times) {
@@ -96,10 +77,10 @@ void print_shells_of(int count, double packing_fraction, double slower) {
   System<2>& s = p.system;
   Evaluation<2> out;
   const auto [forces, energies, shape, contacts] =
-      time_per_vertex<4>(s, {[&] { p.field->evaluate(s, Detail::forces, out); },
-                             [&] { p.field->evaluate(s, Detail::energies, out); },
-                             [&] { PolygonShape().evaluate(s, Detail::forces, out); },
-                             [&] { p.field->bodies()->evaluate(s, Detail::forces, out); }});
+      time_per_vertex<4>(s.state.size(), {[&] { p.field->evaluate(s, Detail::forces, out); },
+                                          [&] { p.field->evaluate(s, Detail::energies, out); },
+                                          [&] { PolygonShape().evaluate(s, Detail::forces, out); },
+                                          [&] { p.field->bodies()->evaluate(s, Detail::forces, out); }});
   const double per_vertex = 1.0 / s.state.size();
   fmt::print(
       "  {:>6}  {:>4.2f}  {:>6.1f}  {:>9}  {:>8.1f}  {:>5.1f}  {:>8.1f}  {:>4.1f}  {:>4.1f}  {:>4.2f}  "
@@ -166,7 +147,8 @@ void print_shell_sizes() {
     const double start = cpu_seconds();
     field.evaluate(system, Detail::forces, out);
     const double build = 1e9 * (cpu_seconds() - start) / system.state.size();
-    const auto [forces] = time_per_vertex<1>(system, {[&] { field.evaluate(system, Detail::forces, out); }});
+    const auto [forces] =
+        time_per_vertex<1>(system.state.size(), {[&] { field.evaluate(system, Detail::forces, out); }});
     const double rows = static_cast<double>(system.pairs.size()) / system.state.size(),
                  bytes = bytes_per_vertex(rows);
     const double arithmetic = nanoseconds_of_operations(shape_operations + rows * row_operations);

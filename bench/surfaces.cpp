@@ -1,0 +1,71 @@
+#include "bench/surfaces.hpp"
+
+#include <fmt/core.h>
+
+#include "bench/time_per_vertex.hpp"
+#include "supple/core/random.hpp"
+#include "supple/force/shape_terms.hpp"
+#include "supple/force/surface_shape.hpp"
+#include "supple/model/surfaces.hpp"
+
+namespace supple::bench {
+namespace {
+
+/// Geodesic spheres, a little out of shape.
+System<3> surfaces(int bodies, int vertices, double bending) {
+  System<3> system;
+  RandomStream draw(1, Purpose::test);
+  const TriangleMesh mesh = geodesic_icosahedron(vertices);
+  for (int b = 0; b < bodies; ++b)
+    add_surface(system, mesh, 1, {.area = 1, .length = 1, .bending = bending, .tension = 0.05});
+  for (Vec3& x : system.state.position)
+    for (int d = 0; d < 3; ++d) x[d] += 0.1 * mean_edge(mesh) * draw.uniform(-1, 1);
+  return system;
+}
+
+/// Additions and multiplications of an evaluation, counted in the loops of force/surface_shape.cpp: of a
+/// triangle, measured and pushed at its corners; what bending adds to that; of a hinge; and of a vertex,
+/// where six corners meet. Bringing points into the lanes of registers and back is not among them.
+constexpr double of_triangle = 65 + 47, of_bent_triangle = 12, of_hinge = 67, of_vertex = 21;
+
+double operations_per_vertex(const System<3>& system) {
+  const Topology<3>& t = system.topology;
+  const auto triangles = static_cast<double>(t.facet.size()), hinges = static_cast<double>(t.hinge.size());
+  double sum = of_triangle * triangles;
+  if (system.shape.stiffness[0].hinge != 0) sum += of_bent_triangle * triangles + of_hinge * hinges;
+  return of_vertex + sum / system.state.size();
+}
+
+}  // namespace
+
+void print_surfaces() {
+  fmt::print("\nShape energy of triangulated surfaces: CPU ns per vertex and evaluation (best of repeats)\n");
+  fmt::print("  {:>6}  {:>8}  {:>7}  {:>6}  {:>8}  {:>6}  {:>5}  {:>10}\n", "bodies", "vertices", "bending",
+             "forces", "energies", "terms", "ratio", "arithmetic");
+  for (const auto& [bodies, vertices] : {std::pair{224, 12}, {64, 42}, {16, 162}})
+    for (const double bending : {0.1, 0.0}) {
+      const System<3> s = surfaces(bodies, vertices, bending);
+      const SurfaceShape shape;
+      const TermSet<3> terms = shape_terms(s);
+      Evaluation<3> out;
+      out.force.resize(s.state.position.size());
+      const auto [forces, energies] =
+          time_per_vertex<2>(s.state.size(), {[&] { shape.evaluate(s, Detail::forces, out); },
+                                              [&] { shape.evaluate(s, Detail::energies, out); }});
+      double of_terms = 1e300;
+      for (int turn = 0; turn < 20; ++turn) {
+        const double start = cpu_seconds();
+        terms.evaluate(s, Detail::forces, out);
+        of_terms = std::min(of_terms, 1e9 * (cpu_seconds() - start) / s.state.size());
+      }
+      fmt::print("  {:>6}  {:>8}  {:>7}  {:>6.1f}  {:>8.1f}  {:>6.0f}  {:>5.0f}  {:>10.1f}\n", bodies,
+                 vertices, bending, forces, energies, of_terms, of_terms / forces,
+                 nanoseconds_of_operations(operations_per_vertex(s)));
+    }
+  fmt::print(
+      "  energies: with energies and virial. terms: the same by the general terms (force/shape_terms.hpp), "
+      "forces alone.\n"
+      "  arithmetic: the additions and multiplications of the pass at the best rate of this machine.\n");
+}
+
+}  // namespace supple::bench
