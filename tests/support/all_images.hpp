@@ -37,7 +37,7 @@ System<Dim> with_all_images(const System<Dim>& periodic, int cells = 2) {
       to.spin[at] = from.spin[i];
     }
     open.topology.begin.push_back(open.state.size());
-    if (topology.facet_begin.empty()) return;
+    if (Dim == 2) return;  // edges follow from the order of vertices
     for (std::int32_t k = topology.facet_begin[b]; k < topology.facet_begin[b + 1]; ++k) {
       auto facet = topology.facet[k];
       for (std::int32_t& site : facet) site += first - topology.body_begin(b);
