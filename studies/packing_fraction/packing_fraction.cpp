@@ -154,7 +154,7 @@ void draw(const Packing<2>& packing, const std::string& path) {
   shares.for_each([&](int body, const std::vector<Point>& ring) {
     Point middle{};
     for (const Point& x : ring) middle += (1.0 / static_cast<double>(ring.size())) * x;
-    const double share = exact.area[static_cast<std::size_t>(body)] / packing.system.box.volume();
+    const double share = exact.volume[static_cast<std::size_t>(body)] / packing.system.box.volume();
     canvas.text(middle, fmt::format("{:.4f}", share), {.across = Across::centre, .down = Down::middle});
   });
   shares.finish();

@@ -150,7 +150,7 @@ TEST(PackingFraction, TwoDiscs) {
     EXPECT_NEAR(sum.total * 35, both, 1e-12);
     EXPECT_NEAR(sum.area[0], pi - loss, 1e-12);
     EXPECT_NEAR(sum.area[1], pi * small * small - loss_of_small, 1e-12);
-    const std::vector<double> area = packing_fraction(system, Outline::rough).area;
+    const std::vector<double> area = packing_fraction(system, Outline::rough).volume;
     EXPECT_NEAR(area[0], pi - 0.5 * (loss + loss_of_small), 1e-12);
     EXPECT_NEAR(area[1], pi * small * small - 0.5 * (loss + loss_of_small), 1e-12);
   }
@@ -187,7 +187,7 @@ TEST(PackingFraction, BodiesThatFillTheCell) {
     }
     const PackingFraction fraction = packing_fraction(system, Outline::smooth);
     EXPECT_NEAR(fraction.total, 1 - (4 - pi) * r * r, 1e-11);
-    for (const double area : fraction.area) EXPECT_NEAR(area, 1 - (4 - pi) * r * r, 1e-11);
+    for (const double area : fraction.volume) EXPECT_NEAR(area, 1 - (4 - pi) * r * r, 1e-11);
     EXPECT_NEAR(packing_fraction(system, Outline::rough).total, (1 - 2 * r) * (1 - 2 * r) + 3 * pi * r * r,
                 1e-11);
   }
@@ -206,10 +206,10 @@ TEST(PackingFraction, WhatManyCoverIsShared) {
   const PackingFraction fraction = packing_fraction(system, Outline::smooth);
   EXPECT_NEAR(fraction.total, 0.64, 1e-13);
   const double both = 1 * 1.5;
-  EXPECT_NEAR(fraction.area[1], (4 - both) / 2 + both / 3, 1e-12);
-  EXPECT_NEAR(fraction.area[2], (4 - both) / 2 + both / 3, 1e-12);
-  EXPECT_NEAR(fraction.area[3], 0.5, 1e-12);
-  expect_shares_add_up(system, fraction.area, fraction.total);
+  EXPECT_NEAR(fraction.volume[1], (4 - both) / 2 + both / 3, 1e-12);
+  EXPECT_NEAR(fraction.volume[2], (4 - both) / 2 + both / 3, 1e-12);
+  EXPECT_NEAR(fraction.volume[3], 0.5, 1e-12);
+  expect_shares_add_up(system, fraction.volume, fraction.total);
 }
 
 TEST(PackingFraction, DoubtsOfTheSum) {
@@ -240,12 +240,12 @@ TEST(PackingFraction, DoubtsOfTheSum) {
 TEST(PackingFraction, DoesNotDependOnPlaceOrCopies) {
   System<2> system = random_shapes(14, 3);
   const PackingFraction before = packing_fraction(system, Outline::smooth);
-  expect_shares_add_up(system, before.area, before.total);
+  expect_shares_add_up(system, before.volume, before.total);
   for (int b = 0; b < 14; ++b)
     for (int i = system.topology.begin[b]; i < system.topology.begin[b + 1]; ++i)
       system.state.position[i] += Vec2{1.2345 + 6 * (b % 3), -0.777 - 5 * (b % 5)};
   const PackingFraction after = packing_fraction(system, Outline::smooth);
-  for (int b = 0; b < 14; ++b) EXPECT_NEAR(after.area[b], before.area[b], 1e-11);
+  for (int b = 0; b < 14; ++b) EXPECT_NEAR(after.volume[b], before.volume[b], 1e-11);
 }
 
 TEST(PackingFraction, RefusesBodiesThatWouldFillMemoryWithTheirCopies) {

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "tests/support/meshes.hpp"
 #include "tests/support/polygons.hpp"
+#include "tests/support/surfaces.hpp"
 
 namespace supple {
 namespace {
@@ -59,18 +59,12 @@ TEST(ShapeMeasures, TheMeanShapeParameterIsThatOfThePolygons) {
   EXPECT_NEAR(*mean_shape_parameter(measure_shapes(system)), 0.5 * (16 / (4 * pi) + 144 / (32 * pi)), 1e-14);
 }
 
-void add_mesh(System<3>& system, TriangleMesh mesh, const Vec3& shift) {
-  for (Vec3& x : mesh.vertex) x += shift;
-  add_surface(system, mesh, 0.1, {}, 1, std::vector<double>(mesh.face.size(), 1),
-              std::vector<double>(hinges_of(mesh).size(), 0));
-}
-
 TEST(ShapeMeasures, ClosedFormsInThreeDimensions) {
   System<3> system;
   system.box.length = {10, 10, 10};
-  add_mesh(system, testing::box_mesh({2, 3, 4}), {100, -20, 5});
+  testing::add_mesh(system, testing::box_mesh({2, 3, 4}), 0.1, {100, -20, 5});
   add_sphere_body(system, {1, 2, 3}, 2);
-  add_mesh(system, geodesic_icosahedron(42, 2.5), {7, 8, 9});
+  testing::add_mesh(system, geodesic_icosahedron(42, 2.5), 0.1, {7, 8, 9});
   const ShapeMeasures<3> m = measure_shapes(system);
   EXPECT_NEAR(m.volume[0], 24, 1e-13);
   EXPECT_NEAR(m.surface[0], 52, 1e-13);
@@ -89,7 +83,7 @@ TEST(ShapeMeasures, ClosedFormsInThreeDimensions) {
 /// An L-shaped beam is the box of (4, 2, 3) and the trapezium between x = 2 .. 4 and 2.3 .. 4 above it.
 TEST(ShapeMeasures, CentreOfAnLShapedBeam) {
   System<3> system;
-  add_mesh(system, testing::ell_mesh(), {});
+  testing::add_mesh(system, testing::ell_mesh(), 0.1);
   const ShapeMeasures<3> m = measure_shapes(system);
   const double box = 4 * 2 * 3, square = 1.7 * 2 * 3, wedge = 0.5 * 0.3 * 2 * 3;
   EXPECT_NEAR(m.volume[0], box + square + wedge, 1e-13);

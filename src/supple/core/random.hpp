@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {
   body_angle = 10,
   body_velocity = 11,
   area_sample = 12,
+  line_lattice = 13,
   test = 100
 };
 

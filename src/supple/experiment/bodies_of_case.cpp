@@ -120,7 +120,7 @@ LooseBody measure_alone(const Case& c, const Species& species, int body, const V
   System<2> alone;
   add_particle(c, species, body, centre, alone);
   alone.box.length = {apart, apart};
-  return {packing_fraction(alone, outline_of(c)).area[0], outer_radius(alone, 0)};
+  return {packing_fraction(alone, outline_of(c)).volume[0], outer_radius(alone, 0)};
 }
 
 /// The same of a body of a system. In closed form; or about the origin in a cell

@@ -16,7 +16,7 @@ namespace {
 
 /// Stress of each body on its covered area, and the pressure that it means.
 void add_body_stresses(Frame& frame, const Packing<2>& packing, const PackingReport& r) {
-  std::vector<Mat2> stresses = r.stresses.of_bodies(r.fraction.area);
+  std::vector<Mat2> stresses = r.stresses.of_bodies(r.fraction.volume);
   for (Mat2& stress : stresses) {
     stress = (1 / packing.pressure_unit) * stress;
     frame.body["pressure"].push_back(pressure(stress));
@@ -164,7 +164,7 @@ Frame packing_frame(const Packing<2>& packing, const PackingReport& r, Surroundi
   Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->laws());
   add_body_stresses(frame, packing, r);
   add_numbers(frame, packing, r, surroundings);
-  frame.body["area"] = r.fraction.area;
+  frame.body["area"] = r.fraction.volume;
   frame.body["shape_parameter"] = r.shapes.shape_parameter;
   frame.body["contacts"] = as_numbers(r.network.contacts_of_bodies());
   frame.body["rattler"] = as_numbers(r.rattlers);

@@ -222,14 +222,14 @@ PackingFraction packing_fraction(const System<2>& system, Outline outline) {
   for (const BodyShape& shape : shapes) bodies.emplace_back(shape, outline, tolerance);
 
   PackingFraction fraction;
-  fraction.area.resize(bodies.size());
-  Sharing sharing(bodies, fraction.area);
+  fraction.volume.resize(bodies.size());
+  Sharing sharing(bodies, fraction.volume);
   std::vector<BodyImage> near;
   for (int body = 0; body < static_cast<int>(bodies.size()); ++body) {
     search.find(body, near);
     for (const Piece& piece : own_outline(bodies[body])) sharing.add(body, piece, near);
   }
-  for (const double area : fraction.area) fraction.total += area;
+  for (const double area : fraction.volume) fraction.total += area;
   fraction.total /= system.box.volume();
   return fraction;
 }

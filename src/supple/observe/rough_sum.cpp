@@ -90,24 +90,6 @@ bool meets_polygon(const BodyShape& body, int i, const BodyShape& other, const V
   return !crossings.empty();
 }
 
-/// Whether three discs, each of which overlaps the others, have a point in common.
-bool common_point(const Disc& a, const Disc& b, const Disc& c) {
-  const Disc* disc[3] = {&a, &b, &c};
-  for (int k = 0; k < 3; ++k) {
-    const Disc &first = *disc[k], &second = *disc[(k + 1) % 3], &third = *disc[(k + 2) % 3];
-    const Vec2 r = second.centre - first.centre;
-    const double distance = norm(r);
-    if (distance <= std::abs(first.radius - second.radius)) return true;  // one lies in the other
-    const double along =
-        0.5 * (distance + (first.radius - second.radius) * (first.radius + second.radius) / distance);
-    const double height = std::sqrt(std::max(0.0, (first.radius - along) * (first.radius + along)));
-    const Vec2 direction = (1 / distance) * r, foot = first.centre + along * direction;
-    for (const double side : {-height, height})
-      if (norm(foot + side * turned_left(direction) - third.centre) < third.radius) return true;
-  }
-  return false;
-}
-
 /// Overlaps of site i with other bodies: what it loses by them, and whether the sum sees them right.
 class SiteOverlaps {
  public:
@@ -148,7 +130,9 @@ class SiteOverlaps {
     for (std::size_t j = 0; j < overlapping_.size(); ++j)
       for (std::size_t k = j + 1; k < overlapping_.size(); ++k) {
         const Disc &a = overlapping_[j], &b = overlapping_[k];
-        if (!(a.same_ring && b.same_ring) && overlap(a, b) && common_point(disc, a, b)) return true;
+        if (!(a.same_ring && b.same_ring) && overlap(a, b) &&
+            discs_have_common_point({disc.centre, a.centre, b.centre}, {disc.radius, a.radius, b.radius}))
+          return true;
       }
     return false;
   }
