@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include "bench/time_per_vertex.hpp"
+#include "supple/build/surfaces.hpp"
 #include "supple/core/random.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "supple/force/surface_shape.hpp"
-#include "supple/model/surfaces.hpp"
 
 namespace supple::bench {
 namespace {

@@ -17,7 +17,7 @@ namespace {
 using namespace testing;
 using std::numbers::pi;
 
-SurfaceShape shape_of(const TriangleMesh& mesh, double radius) {
+BodySurface shape_of(const TriangleMesh& mesh, double radius) {
   System<3> system;
   system.box.length = {100, 100, 100};
   add_mesh(system, mesh, radius, {50, 50, 50});
@@ -25,7 +25,7 @@ SurfaceShape shape_of(const TriangleMesh& mesh, double radius) {
 }
 
 /// Distance to the outline, negative inside.
-double outside_by(const SurfaceShape& s, Outline outline, const Vec3& x) {
+double outside_by(const BodySurface& s, Outline outline, const Vec3& x) {
   double boundary = INFINITY, spheres = INFINITY;
   for (const auto& face : s.face) {
     const auto [a, b, c] = s.corners(face);
@@ -55,7 +55,7 @@ TEST(BodyChords, AreInsideWhereTheOutlineSays) {
   for (const TriangleMesh& mesh : meshes)
     for (const double radius : {0.0, 0.25, 0.7})
       for (const Outline outline : {Outline::rough, Outline::smooth}) {
-        const SurfaceShape s = shape_of(mesh, radius);
+        const BodySurface s = shape_of(mesh, radius);
         const BodyChords body(s, outline);
         const BoundsOf<3> region = s.bounds.grown(0.1);
         for (int k = 0; k < 300; ++k) {
@@ -76,7 +76,7 @@ TEST(BodyChords, AreInsideWhereTheOutlineSays) {
 
 /// Lines exactly through vertices and along edges of triangles meet the body once.
 TEST(BodyChords, ThroughVerticesAndEdgesToo) {
-  const SurfaceShape s = shape_of(box_mesh({2, 2, 2}), 0);
+  const BodySurface s = shape_of(box_mesh({2, 2, 2}), 0);
   const BodyChords body(s, Outline::rough);
   std::vector<Interval> chords;
   for (double x = -0.75; x < 1; x += 0.25)
@@ -91,7 +91,7 @@ TEST(BodyChords, IntegrateToTheVolumeOfSteiner) {
   RandomStream draw(1, Purpose::test);
   const double r = 0.3, exact = 6 + 22 * r + pi * (1 + 2 + 3) * r * r + 4 * pi / 3 * r * r * r;
   for (const TriangleMesh& mesh : {box_mesh({1, 2, 3}), turned(box_mesh({1, 2, 3}), draw)}) {
-    const SurfaceShape s = shape_of(mesh, r);
+    const BodySurface s = shape_of(mesh, r);
     const BodyChords body(s, Outline::smooth);
     std::vector<Interval> chords;
     const auto length = [&](const LineAlongZ& line) {

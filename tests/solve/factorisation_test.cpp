@@ -6,9 +6,9 @@
 #include <Eigen/SparseCholesky>
 #include <limits>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/core/error.hpp"
 #include "supple/force/shape_terms.hpp"
-#include "supple/model/surfaces.hpp"
 #include "tests/support/dense.hpp"
 #include "tests/support/objectives.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/core/random.hpp"
-#include "supple/model/surfaces.hpp"
 
 namespace supple::testing {
 

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/contact/surface_walk.hpp"
 #include "supple/geometry/inside.hpp"
-#include "supple/model/surfaces.hpp"
 
 namespace supple::testing {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/core/error.hpp"
-#include "supple/model/surfaces.hpp"
 #include "tests/paths.hpp"
 
 namespace supple::testing {

@@ -33,8 +33,8 @@ inline double collapsing_tension(const ShapeStiffness& k, double rest_area,
 /// shape energy, with S = sum a_i,
 ///     U(s) = (A/2)(s^3 - 1)^2 + sum (k_a/2)(s^2 a_i - a_i0)^2 + gamma s^2 S,   A = k_v v0^2,
 ///     dU/ds = s (3 A (s^4 - s) + 2 K s^2 - 2 B + 2 gamma S),   K = k_a sum a_i^2,   B = k_a sum a_i a_i0.
-/// An equilibrium s > 0 exists if the bracket is negative somewhere; it is least where 3 A (4 s^3 - 1) + 4 K s
-/// is 0.
+/// An equilibrium s > 0 exists if the bracket is negative somewhere; it is least where 3 A (4 s^3 - 1) + 4 K
+/// s is 0.
 inline double collapsing_tension(const ShapeStiffness& k, double rest_volume, std::span<const double> area,
                                  std::span<const double> rest_area) {
   double S = 0, K = 0, B = 0;

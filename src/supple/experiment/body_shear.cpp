@@ -47,8 +47,8 @@ OscillatoryProtocol protocol_of(const Case& c, const InitialState* initial, cons
                               sheared_body_step(c, laws, packing));
 }
 
-std::vector<Derived> derived_shear(const Packing<2>& packing, const BodyLaws& laws, const OscillatoryProtocol& p,
-                                   double damping) {
+std::vector<Derived> derived_shear(const Packing<2>& packing, const BodyLaws& laws,
+                                   const OscillatoryProtocol& p, double damping) {
   std::vector<Derived> all = derived_packing(packing);
   for (Derived& d : derived_laws(laws)) all.push_back(std::move(d));
   for (Derived& d : derived_protocol(windows_of(p), "")) all.push_back(std::move(d));

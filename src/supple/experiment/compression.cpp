@@ -136,7 +136,7 @@ struct Walk {
   std::vector<double> ascent;  ///< pressures of the way up
   bool has_list = false;
   std::int64_t done = 0;  ///< pressures reached
-  JamState<2> jam;           ///< of the search for the next
+  JamState<2> jam;        ///< of the search for the next
   JamProgress<2> last;
   Snapshot before;
   Course up, down;

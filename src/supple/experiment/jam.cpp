@@ -157,7 +157,7 @@ class Search {
   /// [Dowell & Jarratt 1971], or bisection where the lower pressure says nothing (unjammed).
   bool narrow() {
     if (++s_.narrowed > most_narrowed) throw lost();
-    const JamPoint<Dim> &low = *s_.low, &high = *s_.high;
+    const JamPoint<Dim>&low = *s_.low, &high = *s_.high;
     const double target = spec_.pressure * (1 + 0.5 * spec_.window), width = high.density - low.density;
     const double below = s_.low_weight * (low.pressure - target),
                  above = s_.high_weight * (high.pressure - target);

@@ -57,7 +57,9 @@ struct JamProgress {
 };
 /// Whether the state is a minimum with contacts as they are at this stage of the search.
 template <int Dim>
-bool is_minimum(const JamProgress<Dim>& p) { return p.settled || (p.stiffness < 1 && p.last.converged); }
+bool is_minimum(const JamProgress<Dim>& p) {
+  return p.settled || (p.stiffness < 1 && p.last.converged);
+}
 /// The packing fraction that the search has reached; of a minimum the exact one, as it will be reported.
 template <int Dim>
 double reached_fraction(const Packing<Dim>& packing, const JamProgress<Dim>& progress);
@@ -92,7 +94,7 @@ struct LineSearchState {
   enum class From { below, above };
   Way way = Way::start;
   std::optional<JamPoint<Dim>> low, high;  ///< the last states below and above the pressure
-  double step = 0;                    ///< the next, of ln phi
+  double step = 0;                         ///< the next, of ln phi
   From from = From::below;
   double low_weight = 1, high_weight = 1;
   int narrowed = 0, turns = 0;
@@ -118,12 +120,12 @@ struct PressState {
   enum class Part { approach, soften, harden, failed };
   Part part = Part::approach;
   std::optional<System<Dim>> good;  ///< in the approach: the last sound state; then where it led
-  double step = 0;                ///< of the approach, of ln phi
-  int stage = 0;                  ///< of softened contacts
-  int round = 0, losses = 0;      ///< of hardened contacts
-  int pressed = 0;                ///< minima of the enthalpy in this stage or round
-  bool is_pressed = false;        ///< whether the last of them was found
-  double ratio = 1;               ///< of the pressure of all forces to the one wanted
+  double step = 0;                  ///< of the approach, of ln phi
+  int stage = 0;                    ///< of softened contacts
+  int round = 0, losses = 0;        ///< of hardened contacts
+  int pressed = 0;                  ///< minima of the enthalpy in this stage or round
+  bool is_pressed = false;          ///< whether the last of them was found
+  double ratio = 1;                 ///< of the pressure of all forces to the one wanted
 
   void keep(Keeper& k) {
     k("part", part);
@@ -156,8 +158,8 @@ struct JamState {
 /// Searches by minima of the enthalpy (JamSearch::pressure). False if these do not lead to a packing in the
 /// window; the packing is then where its particles first pressed on each other.
 template <int Dim>
-bool jam_at_pressure(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state, const BeforeMinimisation& before,
-                     const JamCallback<Dim>& callback);
+bool jam_at_pressure(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state,
+                     const BeforeMinimisation& before, const JamCallback<Dim>& callback);
 
 /// Whether 1 < pressure/spec.pressure < 1 + spec.window.
 bool in_window(const JamSpec& spec, double pressure);
@@ -179,6 +181,7 @@ JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec,
 /// The same from where `state` says that the search is.
 template <int Dim>
 JamProgress<Dim> jam(Packing<Dim>& packing, const JamSpec& spec, JamState<Dim>& state,
-                     const BeforeMinimisation& before, const std::type_identity_t<JamCallback<Dim>>& callback);
+                     const BeforeMinimisation& before,
+                     const std::type_identity_t<JamCallback<Dim>>& callback);
 
 }  // namespace supple

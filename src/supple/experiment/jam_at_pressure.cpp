@@ -158,7 +158,8 @@ class Press {
 
   /// How far contacts yield under the force that one particle bears in this stage [length].
   double yield(const Stage& stage) const {
-    const double force = on_area(stage.pressure * spec_.pressure * packing_.pressure_unit, mean_body_diameter());
+    const double force =
+        on_area(stage.pressure * spec_.pressure * packing_.pressure_unit, mean_body_diameter());
     const double softest = packing_.field->bodies()->laws().least(
         [&](const BodyLaw& law) { return law.spring(mean_diameter()); });
     return force / (stage.stiffness * softest);
@@ -231,7 +232,7 @@ class Press {
                    length = packing_.system.box.length[0];
       packing_.field->invalidate();
       CellObjective<Dim> objective(packing_.system, *packing_.field, tolerance, {true, false},
-                                 ratio * wanted * packing_.pressure_unit);
+                                   ratio * wanted * packing_.pressure_unit);
       std::vector<double> x = objective.coordinates();
       // The numbers of an objective are those of the cell at its construction, and its pressure is that of
       // all forces: a new one is made where either has changed.

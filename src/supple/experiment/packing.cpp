@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/contact/smooth_surfaces.hpp"
@@ -22,7 +23,6 @@
 #include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/model/sanity.hpp"
-#include "supple/model/surfaces.hpp"
 #include "supple/observe/shape_measures.hpp"
 
 namespace supple {

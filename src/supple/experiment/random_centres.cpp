@@ -141,8 +141,8 @@ void place_wide_first(const std::vector<double>& radius, const Box<Dim>& box, st
 }  // namespace
 
 template <int Dim>
-std::vector<Vec<Dim>> random_centres(const std::vector<double>& radius, const Box<Dim>& box, std::int64_t seed,
-                                     const std::function<bool()>& stop_requested) {
+std::vector<Vec<Dim>> random_centres(const std::vector<double>& radius, const Box<Dim>& box,
+                                     std::int64_t seed, const std::function<bool()>& stop_requested) {
   std::vector<Vec<Dim>> centre;
   for (std::size_t k = 0; k < radius.size(); ++k) centre.push_back(Draw<Dim>(box, seed, k).next());
   place_wide_first(radius, box, seed, stop_requested, centre);

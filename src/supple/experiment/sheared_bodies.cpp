@@ -12,7 +12,8 @@ namespace supple {
 namespace {
 
 /// Velocities of the instant of the positions; the packing's own report of everything else.
-Frame sheared_frame(Packing<2>& packing, const Mover& dynamics, const PresentMotion<2>& now, double rate_now) {
+Frame sheared_frame(Packing<2>& packing, const Mover& dynamics, const PresentMotion<2>& now,
+                    double rate_now) {
   Frame frame = packing_frame(packing, report_packing(packing, now));
   dynamics.bring_to_instant(packing.system, rate_now, frame.velocity, frame.spin);
   frame.strain_rate = rate_now;
@@ -57,7 +58,8 @@ Packing<2>& between_plates(const Case& c, Packing<2>& packing) {
 
 }  // namespace
 
-ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing<2>& packing, Recorder& recorder)
+ShearedBodies::ShearedBodies(const Case& c, const InitialState* initial, Packing<2>& packing,
+                             Recorder& recorder)
     : packing_(between_plates(c, packing)),
       recorder_(recorder),
       dynamics_(*packing.field),

@@ -3,7 +3,9 @@
 namespace supple {
 
 template <int Dim>
-Soundness look_at(const Packing<Dim>& packing) { return look_at(packing.system, packing.outline); }
+Soundness look_at(const Packing<Dim>& packing) {
+  return look_at(packing.system, packing.outline);
+}
 
 template <int Dim>
 bool must_stop(const Packing<Dim>& packing, const Soundness& soundness) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "supple/model/surfaces.hpp"
+#include "supple/model/triangle_mesh.hpp"
 
 namespace supple {
 

@@ -38,7 +38,8 @@ void scale_cell(System<Dim>& system, const Vec<Dim>& factor) {
     for (int d = 0; d < Dim; ++d) move[d] = (factor[d] - 1) * centre[d];
     move_body(system, b, move);
   }
-  if constexpr (Dim == 2) place_sites(system);  // rigid bodies' sites follow from their centres, to the last bit
+  if constexpr (Dim == 2)
+    place_sites(system);  // rigid bodies' sites follow from their centres, to the last bit
 }
 
 template Vec<2> body_centre(const System<2>&, int);

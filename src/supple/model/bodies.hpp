@@ -9,7 +9,8 @@ namespace supple {
 template <int Dim>
 Vec<Dim> body_centre(const System<Dim>& system, int b);
 
-/// Radius of the circle (3D: sphere) about body_centre(b) that holds the discs (spheres) of all sites of body b [length].
+/// Radius of the circle (3D: sphere) about body_centre(b) that holds the discs (spheres) of all sites of body
+/// b [length].
 template <int Dim>
 double outer_radius(const System<Dim>& system, int b);
 

@@ -99,8 +99,10 @@ class Judge {
       for (const double x : {k.volume, k.facet, k.hinge, k.tension})
         if (!is_computable(x)) size(x, fmt::format("a stiffness of particle {}", b));
     }
-    sizes(shape.rest_volume, Dim == 2 ? "the preferred area of particle" : "the preferred volume of particle");
-    positive_sizes(shape.rest_facet, Dim == 2 ? "the preferred length of edge" : "the preferred area of triangle");
+    sizes(shape.rest_volume,
+          Dim == 2 ? "the preferred area of particle" : "the preferred volume of particle");
+    positive_sizes(shape.rest_facet,
+                   Dim == 2 ? "the preferred length of edge" : "the preferred area of triangle");
     sizes(shape.rest_hinge, Dim == 2 ? "the preferred angle of corner" : "the preferred angle of edge");
     for (const BodyTermData& term : system_.terms)
       sizes(term.number, fmt::format("the {} of particles, number", term.name).c_str());

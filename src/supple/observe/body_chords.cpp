@@ -50,7 +50,7 @@ void intersect(const std::vector<Interval>& a, const std::vector<Interval>& b, s
   }
 }
 
-BodyChords::BodyChords(const SurfaceShape& shape, Outline outline) : shape_(&shape), bands_(x_) {
+BodyChords::BodyChords(const BodySurface& shape, Outline outline) : shape_(&shape), bands_(x_) {
   const bool smooth = outline == Outline::smooth && !shape.is_sphere();
   for (std::int32_t k = 0; k < shape.size(); ++k)
     if (shape.radius[k] > 0)
@@ -74,7 +74,7 @@ void BodyChords::add(Kind kind, std::int32_t number, const BoundsOf<3>& bounds) 
 }
 
 Interval BodyChords::chord_of(const Part& part, const LineAlongZ& line) const {
-  const SurfaceShape& s = *shape_;
+  const BodySurface& s = *shape_;
   if (part.kind == Kind::sphere) return chord_of_sphere(line, s.vertex[part.number], s.radius[part.number]);
   if (part.kind == Kind::cylinder) {
     const auto& hinge = s.hinge[part.number];

@@ -19,9 +19,9 @@ void intersect(const std::vector<Interval>& a, const std::vector<Interval>& b, s
 class BodyChords {
  public:
   /// The shape must outlive this.
-  BodyChords(const SurfaceShape& shape, Outline outline);
+  BodyChords(const BodySurface& shape, Outline outline);
 
-  const SurfaceShape& shape() const { return *shape_; }
+  const BodySurface& shape() const { return *shape_; }
 
   /// Replaces `chords` by the heights at which the line is inside of the body, disjoint and ascending.
   void find(const LineAlongZ& line, std::vector<Interval>& chords) const;
@@ -39,7 +39,7 @@ class BodyChords {
   void add(Kind kind, std::int32_t number, const BoundsOf<3>& bounds);
   Interval chord_of(const Part& part, const LineAlongZ& line) const;
 
-  const SurfaceShape* shape_;
+  const BodySurface* shape_;
   std::vector<Part> parts_;
   std::vector<Interval> x_;  ///< of each part
   Bands bands_;              ///< of the parts, by x

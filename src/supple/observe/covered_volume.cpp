@@ -32,7 +32,7 @@ double total_length(const std::vector<Interval>& chords) {
 /// the sum over edges of length times turning angle [Steiner 1840]. Nothing where it may not be convex: a
 /// closed surface of the Euler number of one sphere whose edges all turn outward is the boundary of a convex
 /// body [Tietze 1928].
-std::optional<double> steiner_volume(const SurfaceShape& body) {
+std::optional<double> steiner_volume(const BodySurface& body) {
   constexpr double straight = -1e-9;
   const double r = body.radius[0];
   if (body.size() - static_cast<int>(body.hinge.size()) + static_cast<int>(body.face.size()) != 2)
@@ -54,7 +54,7 @@ std::optional<double> steiner_volume(const SurfaceShape& body) {
 }
 
 /// The volume of a body alone, where a closed form holds.
-std::optional<double> exact_volume(const SurfaceShape& body, Outline outline) {
+std::optional<double> exact_volume(const BodySurface& body, Outline outline) {
   const double r = body.radius[0];
   if (body.is_sphere()) return 4 * pi / 3 * r * r * r;
   if (outline == Outline::smooth) return steiner_volume(body);
@@ -75,14 +75,14 @@ struct Ball {
   Vec3 centre;
   double radius = 0;
 
-  explicit Ball(const SurfaceShape& shape) : centre(0.5 * (shape.bounds.low + shape.bounds.high)) {
+  explicit Ball(const BodySurface& shape) : centre(0.5 * (shape.bounds.low + shape.bounds.high)) {
     for (int k = 0; k < shape.size(); ++k)
       radius = std::max(radius, norm(shape.vertex[k] - centre) + shape.radius[k]);
   }
 };
 
 /// Every overlap of two bodies once, also of a body with its own image.
-std::vector<Meeting> find_meetings(const std::vector<SurfaceShape>& shapes, const Box<3>& box) {
+std::vector<Meeting> find_meetings(const std::vector<BodySurface>& shapes, const Box<3>& box) {
   const ImageSearch search(shapes, box);
   const std::vector<Ball> balls(shapes.begin(), shapes.end());
   std::vector<Meeting> meetings;
@@ -106,9 +106,9 @@ std::vector<Meeting> find_meetings(const std::vector<SurfaceShape>& shapes, cons
 
 class Volumes {
  public:
-  Volumes(const std::vector<SurfaceShape>& shapes, Outline outline) : shapes_(shapes) {
+  Volumes(const std::vector<BodySurface>& shapes, Outline outline) : shapes_(shapes) {
     chords_.reserve(shapes.size());
-    for (const SurfaceShape& shape : shapes) chords_.emplace_back(shape, outline);
+    for (const BodySurface& shape : shapes) chords_.emplace_back(shape, outline);
   }
 
   /// Volume of a body alone, by lines.
@@ -137,13 +137,13 @@ class Volumes {
 
   /// The same in closed form: half of the lens of two spheres of which no third one covers any.
   std::optional<double> exact_share(const Meeting& m) const {
-    const SurfaceShape &a = shapes_[m.body], &b = shapes_[m.other.body];
+    const BodySurface &a = shapes_[m.body], &b = shapes_[m.other.body];
     if (!a.is_sphere() || !b.is_sphere()) return std::nullopt;
     const Vec3 x = a.vertex[0], y = b.vertex[0] + m.other.shift;
     const double r = a.radius[0], s = b.radius[0], lens = sphere_overlap(r, s, norm(y - x));
     for (const Image& third : m.third) {
       if (lens == 0) return 0;
-      const SurfaceShape& c = shapes_[third.body];
+      const BodySurface& c = shapes_[third.body];
       if (!c.is_sphere()) return std::nullopt;
       const Vec3 z = c.vertex[0] + third.shift;
       const double t = c.radius[0];
@@ -190,7 +190,7 @@ class Volumes {
     return sum;
   }
 
-  const std::vector<SurfaceShape>& shapes_;
+  const std::vector<BodySurface>& shapes_;
   std::vector<BodyChords> chords_;
 };
 
@@ -215,7 +215,7 @@ struct ErrorBudget {
 PackingFraction packing_fraction(const System<3>& system, Outline outline, const VolumeAccuracy& accuracy) {
   require(accuracy.relative_error > 0, "relative_error", accuracy.relative_error, "positive");
   require(accuracy.most_lines > 0, "most_lines", static_cast<double>(accuracy.most_lines), "at least 1");
-  const std::vector<SurfaceShape> shapes = body_shapes(system, outline);
+  const std::vector<BodySurface> shapes = body_shapes(system, outline);
   const std::vector<Meeting> meetings = find_meetings(shapes, system.box);
   const Volumes volumes(shapes, outline);
   const std::size_t bodies = shapes.size();

@@ -41,7 +41,7 @@ double depth_in(const BodyShape& body, Outline outline, const Vec2& x) {
 }
 
 /// The distance to the nearest triangle [length].
-double distance_to_surface(const SurfaceShape& body, const Vec3& x) {
+double distance_to_surface(const BodySurface& body, const Vec3& x) {
   double least = INFINITY;
   for (const auto& face : body.face) {
     const auto [a, b, c] = body.corners(face);
@@ -50,7 +50,7 @@ double distance_to_surface(const SurfaceShape& body, const Vec3& x) {
   return least;
 }
 
-bool covered_by(const SurfaceShape& body, Outline outline, const Vec3& x) {
+bool covered_by(const BodySurface& body, Outline outline, const Vec3& x) {
   const bool smooth = outline == Outline::smooth && !body.is_sphere();
   for (int k = 0; k < body.size() && !smooth; ++k)
     if (norm(x - body.vertex[k]) < body.radius[k]) return true;
@@ -58,7 +58,7 @@ bool covered_by(const SurfaceShape& body, Outline outline, const Vec3& x) {
   return is_inside(x, body.vertex, body.face);
 }
 
-double depth_in(const SurfaceShape& body, Outline outline, const Vec3& x) {
+double depth_in(const BodySurface& body, Outline outline, const Vec3& x) {
   double from_sphere = INFINITY;
   for (int k = 0; k < body.size(); ++k)
     from_sphere = std::min(from_sphere, norm(x - body.vertex[k]) - body.radius[k]);

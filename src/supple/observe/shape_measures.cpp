@@ -4,9 +4,9 @@
 #include <numbers>
 #include <span>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/geometry/facet.hpp"
 #include "supple/geometry/polygon.hpp"
-#include "supple/model/surfaces.hpp"
 
 namespace supple {
 

@@ -6,14 +6,9 @@
 
 #include "supple/model/polygons.hpp"
 #include "supple/model/system.hpp"
+#include "supple/model/triangle_mesh.hpp"
 
 namespace supple {
-
-/// Vertices [length] and triangles, each counter-clockwise as seen from outside.
-struct TriangleMesh {
-  std::vector<Vec3> vertex;
-  std::vector<std::array<std::int32_t, 3>> face;
-};
 
 /// A geodesic icosahedron: the triangles of an icosahedron cut into four again and again, all vertices on one
 /// sphere about the origin, with this enclosed volume [length^3]. `vertices` is 12, 42, 162, 642 or a later

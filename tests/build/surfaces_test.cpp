@@ -1,4 +1,4 @@
-#include "supple/model/surfaces.hpp"
+#include "supple/build/surfaces.hpp"
 
 #include <gtest/gtest.h>
 
