@@ -18,7 +18,7 @@
 //   d2theta/dx_p dx_q = -(w_q n g_p^T + w_p g_q n^T) + s (n m^T + m n^T)/(2 l^2),   m = g_k/|g_k|,
 // s = 1 for p = q on the edge, -1 for the two ends of the edge, and 0 with corner k. (The last part of one
 // triangle alone is n m^T; the antisymmetric halves of the two triangles cancel.) The same as the derivatives
-// of Tamstorf & Grinspun [2013, section 4], by triangles.
+// of Tamstorf & Grinspun [2013], by triangles.
 
 namespace supple {
 

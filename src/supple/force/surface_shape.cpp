@@ -15,10 +15,10 @@
 // k, x_(k+2) - x_(k+1), N = d_1 x d_2 = 2 a n, and c_k = -(d_(k+1).d_(k+2))/(2a) the cotangent at corner k.
 // Then
 //   dv/dx_k = sum of N/6 over the triangles at x_k, as the other parts of it cancel on a closed surface;
-//   da/dx_k = (c_(k+1) d_(k+1) - c_(k+2) d_(k+2))/2            [Pinkall & Polthier 1993, eq. 7];
+//   da/dx_k = (c_(k+1) d_(k+1) - c_(k+2) d_(k+2))/2            [Pinkall & Polthier 1993];
 //   and of the hinge at d_k, whose angle falls where corner k moves outward, the triangle has the part
 //   dtheta_k/dx_k = -n (c_(k+1) + c_(k+2))/l_k = -n/height,  dtheta_k/dx_(k+1) = n c_(k+2)/l_k,
-//   dtheta_k/dx_(k+2) = n c_(k+1)/l_k                          [Wardetzky et al. 2007, section 4].
+//   dtheta_k/dx_(k+2) = n c_(k+1)/l_k                          [Wardetzky et al. 2007].
 // With the moments m_k = k_b (theta_k - theta_k0)/l_k of its hinges, the slope of the energy at corner k is
 //   n (p a/3 + c_(k+1) (m_(k+2) - m_k) + c_(k+2) (m_(k+1) - m_k)) + q_(k+1) - q_(k+2),
 //   q_k = (k_a (a - a0) + gamma) c_k d_k / 2,  p = k_v (v - v0).
