@@ -10,8 +10,8 @@
 // and the area a, let g_k = n x d_k/(2a) be the slope of the barycentric coordinate of corner k: normal to
 // d_k, toward the corner, of the length 1/height. A move dx_k tilts the normal by dn = -g_k (n.dx_k), and
 //   da/dx_k = a g_k,
-//   d2a/dx_i dx_j = (d_i.d_j)/(4a) n n^T + s_ij [n]/2,   [n] y = n x y,  s_ij = 1, -1, 0 for j = i + 2, i +
-//   1, i.
+//   d2a/dx_i dx_j = (d_i.d_j)/(4a) n n^T + s_ij [n]/2,   [n] y = n x y,
+//   s_ij = 1 for j = i + 2, -1 for j = i + 1, 0 for j = i.
 // A hinge at the edge from x_i to x_j of length l, opposite to corner k, gets from this triangle
 //   dtheta/dx_q = n w_q,   w_k = -l/(2a),  w_i = cot_j/l,  w_j = cot_i/l.
 // These weights depend on the triangle alone, so that derivatives of n w_q are sums over the two triangles:
