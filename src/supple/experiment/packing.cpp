@@ -23,6 +23,7 @@
 #include "supple/model/body_flow.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/model/sanity.hpp"
+#include "supple/observe/body_stress.hpp"
 #include "supple/observe/shape_measures.hpp"
 
 namespace supple {
