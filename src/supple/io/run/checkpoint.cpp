@@ -64,7 +64,8 @@ void read_numbers(const h5::Group& group, const std::string& kind, Kept& kept) {
 }
 
 /// A search keeps several states of the same particles, most arrays of which are the same.
-void write_one(h5::Group& systems, const std::string& name, const System<2>& system) {
+template <int Dim>
+void write_one(h5::Group& systems, const std::string& name, const System<Dim>& system) {
   std::vector<h5::Group> before;
   for (const std::string& earlier : systems.names()) before.push_back(systems.open_group(earlier));
   h5::Group group = systems.create_group(name);
@@ -74,23 +75,45 @@ void write_one(h5::Group& systems, const std::string& name, const System<2>& sys
   group.copy_or_share(whole, before);
 }
 
+/// The group that holds systems of this dimension.
+constexpr const char* group_of_systems(int dimension) { return dimension == 2 ? "systems" : "systems_3d"; }
+
+template <int Dim>
+void write_systems(h5::Group& group, const Kept& kept) {
+  h5::Group systems = group.create_group(group_of_systems(Dim));
+  for (const auto& [name, value] : kept)
+    if (const auto* system = std::get_if<System<Dim>>(&value)) write_one(systems, name, *system);
+}
+
+template <int Dim>
+void read_systems(const h5::Group& group, Kept& kept) {
+  const h5::Group systems = group.open_group(group_of_systems(Dim));
+  for (const std::string& name : systems.names()) kept[name] = read_system<Dim>(systems.open_group(name));
+}
+
+bool has_3d(const Kept& kept) {
+  return std::any_of(kept.begin(), kept.end(),
+                     [](const auto& one) { return std::holds_alternative<System<3>>(one.second); });
+}
+
 void write_kept(h5::Group group, const Kept& kept) {
   write_numbers<double>(group, "numbers", kept);
   write_numbers<std::int64_t>(group, "integers", kept);
-  h5::Group texts = group.create_group("texts"), systems = group.create_group("systems");
-  for (const auto& [name, value] : kept) {
+  h5::Group texts = group.create_group("texts");
+  for (const auto& [name, value] : kept)
     if (const auto* text = std::get_if<std::string>(&value)) texts.write_scalar(name, *text);
-    if (const auto* system = std::get_if<System<2>>(&value)) write_one(systems, name, *system);
-  }
+  write_systems<2>(group, kept);
+  if (has_3d(kept)) write_systems<3>(group, kept);
 }
 
 Kept read_kept(const h5::Group& group) {
   Kept kept;
   read_numbers<double>(group, "numbers", kept);
   read_numbers<std::int64_t>(group, "integers", kept);
-  const h5::Group texts = group.open_group("texts"), systems = group.open_group("systems");
+  const h5::Group texts = group.open_group("texts");
   for (const std::string& name : texts.names()) kept[name] = texts.read_scalar<std::string>(name);
-  for (const std::string& name : systems.names()) kept[name] = read_system<2>(systems.open_group(name));
+  read_systems<2>(group, kept);
+  if (group.has(group_of_systems(3))) read_systems<3>(group, kept);
   return kept;
 }
 
