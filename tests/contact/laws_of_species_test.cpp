@@ -88,7 +88,7 @@ TEST(LawsOfSpecies, FastLoopsEqualTheirRecords) {
       EXPECT_TRUE((r.species == std::array{a, b}));
       EXPECT_LT(r.distance(), contacts->laws().of(a, b).range() * r.reach);
     }
-    for (const SiteContact& c : site_contacts(system, records, contacts->laws()))
+    for (const SiteContact<2>& c : site_contacts(system, records, contacts->laws()))
       EXPECT_EQ(c.holds, system.species[c.body] + system.species[c.other_body] == 1);
   }
 }

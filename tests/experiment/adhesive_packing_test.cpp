@@ -39,7 +39,7 @@ TEST(AdhesivePacking, BearsItsPressureFarBelowThePackingOfParticlesThatPush) {
       EXPECT_LT(end.state.energy, 0);
       const PackingReport report = report_packing(packing);
       int pulling = 0;
-      for (const SiteContact& contact : report.contacts) pulling += contact.normal_force() < 0;
+      for (const SiteContact<2>& contact : report.contacts) pulling += contact.normal_force() < 0;
       EXPECT_GT(pulling, 5);
       EXPECT_GT(report.numbers.mean(), 1.5);
     }

@@ -186,7 +186,7 @@ TEST(PairsOfCase, StressOfAJammedMixtureIsTheSlopeOfItsEnergy) {
     }
     const Mat2 of_bodies = report.stresses.virial();
     EXPECT_NEAR(of_bodies[0][0] * packing.system.box.volume(), virial[0][0], 1e-9 * virial[0][0]);
-    for (const SiteContact& contact : report.contacts) {
+    for (const SiteContact<2>& contact : report.contacts) {
       const auto a = packing.system.species[contact.body], b = packing.system.species[contact.other_body];
       EXPECT_EQ(contact.holds, a != b && a != 1 && b != 1);
       pulls = pulls || contact.pulls;

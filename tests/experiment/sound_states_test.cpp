@@ -171,7 +171,7 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
     const PackingReport r = report_packing(packing);
     std::vector<double> load(r.rattlers.size());
     double mean = 0;
-    for (const SiteContact& contact : r.contacts) {
+    for (const SiteContact<2>& contact : r.contacts) {
       mean += contact.normal_force() / static_cast<double>(r.contacts.size());
       for (const int b : {contact.body, contact.other_body})
         load[b] = std::max(load[b], contact.normal_force());

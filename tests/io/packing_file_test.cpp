@@ -45,7 +45,7 @@ class ReferencePacking : public ::testing::Test {
   ForceField<2> field_;
   nlohmann::json expected_;
   Evaluation<2> evaluation_;
-  std::vector<SiteContact> contacts_;
+  std::vector<SiteContact<2>> contacts_;
 };
 
 TEST_F(ReferencePacking, Energies) {
@@ -64,7 +64,7 @@ TEST_F(ReferencePacking, IsInEquilibrium) {
 }
 
 TEST_F(ReferencePacking, Stress) {
-  const BodyStresses s = body_stresses(system_, field_, evaluation_);
+  const BodyStresses<2> s = body_stresses(system_, field_, evaluation_);
   const double p = expected_.at("pressure"), p_contact = expected_.at("pressure_contact");
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {

@@ -47,7 +47,7 @@ System<2> two_squares(double gap, double left, double right) {
 
 struct Evaluated {
   Evaluation<2> evaluation;
-  BodyStresses stress;
+  BodyStresses<2> stress;
 };
 
 Evaluated evaluate(System<2>& system, const Harmonic& law, const WallLaw<2>* walls = nullptr) {
@@ -63,7 +63,7 @@ TEST(BodyStress, TwoSquares) {
   const double gap = 0.19, force = k_c * (0.2 - gap);
   System<2> system = two_squares(gap, 0.1, 0.1);
   system.state.velocity[2] = {0.5, -0.25};
-  const BodyStresses s = evaluate(system, {k_c, false}).stress;
+  const BodyStresses<2> s = evaluate(system, {k_c, false}).stress;
   const double area = side * side;
   // Tension where the preferred area is larger than 1 would push outward: -(1/A) dU/d(strain) = -k_a (a - a0)
   // a.
@@ -88,7 +88,7 @@ TEST(BodyStress, TwoSquares) {
 TEST(BodyStress, LargerVerticesHaveMoreOfTheContact) {
   const double gap = 0.19, moment = 2 * k_c * (0.2 - gap) * gap;
   System<2> system = two_squares(gap, 0.15, 0.05);
-  const BodyStresses s = evaluate(system, {k_c, false}).stress;
+  const BodyStresses<2> s = evaluate(system, {k_c, false}).stress;
   const double h = 0.5 * gap + (0.15 * 0.15 - 0.05 * 0.05) / (2 * gap);
   EXPECT_NEAR(s.moment[0][0][0] - s.moment[0][1][1], moment * h / gap, 1e-14);
   EXPECT_NEAR(s.moment[1][0][0] - s.moment[1][1][1], moment * (1 - h / gap), 1e-14);
@@ -123,7 +123,7 @@ TEST(BodyStress, RigidSquares) {
   System<2> system = two_squares(gap, 0.1, 0.1);
   make_rigid(system, 0);
   make_rigid(system, 1);
-  const BodyStresses s = evaluate(system, {k_c, false}).stress;
+  const BodyStresses<2> s = evaluate(system, {k_c, false}).stress;
   const double area = side * side;
   expect_near(s.contact, (1 / area) * diagonal(2 * force * gap, 0), 1e-16);
   expect_near(s.shape, (1 / area) * diagonal(2 * force, 0), 1e-16);
@@ -156,7 +156,7 @@ TEST(BodyStress, PressureOfRigidBodiesIsTheSlopeOfTheEnergy) {
     return evaluate(system, {7, false}).stress;
   };
   // Rotation is motion at no pressure: what it adds to the kinetic part the centripetal forces take away.
-  const BodyStresses at_rest = spun(0), turning = spun(2);
+  const BodyStresses<2> at_rest = spun(0), turning = spun(2);
   EXPECT_NEAR(pressure(turning.total()), pressure(at_rest.total()), 1e-12 * pressure(turning.kinetic));
   EXPECT_GT(pressure(turning.kinetic), 1);
   EXPECT_NEAR(pressure(turning.kinetic) * system.box.volume(), kinetic_energy(system).spin,
@@ -185,7 +185,7 @@ TEST(BodyStress, KineticTermIsRelativeToTheFlow) {
   system.box.strain_rate = 0.5;
   add_disc_body(system, {4, 8}, 1);
   system.state.velocity[0] = {1.5 + 3, 4};  // the flow there: (8 - 5) 0.5
-  const BodyStresses s = evaluate(system, {1, false}).stress;
+  const BodyStresses<2> s = evaluate(system, {1, false}).stress;
   expect_near(s.kinetic, (1 / (side * side)) * Mat2{{{9, 12}, {12, 16}}}, 1e-16);
   expect_near(s.virial(), Mat2{}, 0);
 }

@@ -18,7 +18,7 @@ using ::testing::Field;
 using ::testing::Lt;
 
 struct Found {
-  std::vector<SiteContact> contacts;
+  std::vector<SiteContact<2>> contacts;
   ContactNetwork network;
 };
 
@@ -142,7 +142,7 @@ TEST(ContactNetwork, SmoothSquaresTouchWithTwoCorners) {
   SmoothContacts smooth(Harmonic{});
   const auto contacts = site_contacts(system, smooth.records(system), smooth.laws());
   ASSERT_EQ(contacts.size(), 2u);
-  for (const SiteContact& c : contacts) {
+  for (const SiteContact<2>& c : contacts) {
     EXPECT_EQ(c.site, c.body == 0 ? 2 : 4);
     EXPECT_EQ(c.other, c.body == 0 ? 7 : 1) << "the nearer end of the edge";
     EXPECT_NEAR(c.force[0], c.body == 0 ? -0.005 : 0.005, 1e-15) << "half of the law";

@@ -18,12 +18,12 @@ using std::numbers::pi;
 using ::testing::Each;
 using ::testing::ElementsAre;
 
-std::vector<SiteContact> touching(System<2>& system, BodyContacts<2>&& contacts) {
+std::vector<SiteContact<2>> touching(System<2>& system, BodyContacts<2>&& contacts) {
   NeighborList<2>(default_skin, contacts.meeting()).update(system);
   return site_contacts(system, contacts.records(system), contacts.laws());
 }
 
-std::vector<std::uint8_t> rattlers(System<2>& system, const OutsideForces& outside = {}) {
+std::vector<std::uint8_t> rattlers(System<2>& system, const OutsideForces<2>& outside = {}) {
   return find_rattlers(system, touching(system, RoughContacts<2>(Harmonic{})), outside);
 }
 
@@ -136,12 +136,12 @@ TEST(Rattlers, NeighboursThroughThePeriodCountTwice) {
   System<2> system = discs(4, {{1, 1}, {2.95, 1}}, {1, 1});
   system.box.strain = 0.3;
   system.box.length = {4, 8};  // a shorter one is refused, as the neighbour list knows one image of a pair
-  const std::vector<SiteContact> contacts = touching(system, RoughContacts<2>(Harmonic{}));
+  const std::vector<SiteContact<2>> contacts = touching(system, RoughContacts<2>(Harmonic{}));
   ASSERT_EQ(contacts.size(), 1u);
-  SiteContact other = contacts[0];
+  SiteContact<2> other = contacts[0];
   other.force = -other.force;
   other.shift += Vec2{other.body == 0 ? -4.0 : 4.0, 0};
-  const std::vector<SiteContact> both{contacts[0], other};
+  const std::vector<SiteContact<2>> both{contacts[0], other};
   const ContactNetwork network = contact_network(system, both);
   ASSERT_EQ(network.pairs.size(), 2u);
   EXPECT_THAT(network.contacts_of_bodies(), Each(2));
@@ -166,7 +166,7 @@ TEST(Rattlers, AreThoseWithAMotionThatOpensAllContacts) {
           const Vec2 move = std::sin(theta) * Vec2{std::cos(phi), std::sin(phi)};
           const double turn = std::cos(theta) / outer_radius(system, b);
           double least = 1;
-          for (const SiteContact& c : contacts) {
+          for (const SiteContact<2>& c : contacts) {
             if (c.body != b && c.other_body != b) continue;
             const Vec2 at = system.state.position[c.site] - (c.body == b ? Vec2{} : c.shift);
             const Vec2 push = (c.body == b ? 1 : -1) / norm(c.force) * c.force;

@@ -81,7 +81,7 @@ class Rubbing {
   }
 
   /// Adds it to the row of a contact between a site and another one of that body.
-  void add_to(ContactRow& row, const SiteContact& c) const {
+  void add_to(ContactRow& row, const SiteContact<2>& c) const {
     for (const auto& [on, other] :
          {std::pair(TouchOn::site, c.other), std::pair(TouchOn::body, c.other_body)}) {
       const auto touch = touch_.find({c.site, on, other});
@@ -127,7 +127,7 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
   Frame frame = frame_of_sites(system, evaluation);
   std::vector<ContactRow>& rows = frame.contacts;
   const Rubbing rubbing(evaluation);
-  for (const SiteContact& c : site_contacts(system, records, laws)) {
+  for (const SiteContact<2>& c : site_contacts(system, records, laws)) {
     rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0,
                     c.normal_force(), 0, c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
     rubbing.add_to(rows.back(), c);

@@ -222,6 +222,8 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
                           ? c.minimise.least_force
                           : force_on_site<Dim>(c.minimise.force_tolerance * wanted.pressure * p.pressure_unit,
                                                2 * mean_radius(p.system));
+  p.cell = p.system.box;
+  if (!apart) p.covered_area = packing_fraction(p.system, p.outline).total * p.cell.volume();
   return p;
 }
 
@@ -258,8 +260,6 @@ Packing<2> packing_from(const Case& c, const InitialState* initial, double packi
   } else {
     p = packing_of(c, random_packing(c, packing_fraction_wanted, enclosure, making.stop_requested));
   }
-  p.cell = p.system.box;
-  p.covered_area = packing_fraction(p.system, p.outline).total * p.cell.volume();
   return p;
 }
 

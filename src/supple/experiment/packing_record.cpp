@@ -94,8 +94,8 @@ void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, R
 namespace {
 
 /// Links are contacts too where neighbours are counted.
-std::vector<SiteContact> with_links(std::vector<SiteContact> contacts, const System<2>& system,
-                                    const Evaluation<2>& evaluation) {
+std::vector<SiteContact<2>> with_links(std::vector<SiteContact<2>> contacts, const System<2>& system,
+                                       const Evaluation<2>& evaluation) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
   for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
     const Link& link = system.links[k];

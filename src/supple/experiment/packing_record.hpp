@@ -31,12 +31,12 @@ void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, R
 struct PackingReport {
   Evaluation<2> evaluation;
   std::vector<ContactRecord<2>> records;
-  std::vector<SiteContact> contacts;
+  std::vector<SiteContact<2>> contacts;
   ContactNetwork network;
   std::vector<std::uint8_t> rattlers;
   ContactNumbers numbers;  ///< without rattlers
   ConstraintCount constraints;
-  BodyStresses stresses;
+  BodyStresses<2> stresses;
   ShapeMeasures<2> shapes;
   PackingFraction fraction;
   Soundness soundness;

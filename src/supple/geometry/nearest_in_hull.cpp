@@ -9,22 +9,24 @@ namespace supple {
 
 namespace {
 
-/// At most four affinely independent points, and the weights of the nearest point of their hull.
+/// At most Dim + 1 affinely independent points, and the weights of the nearest point of their hull.
+template <int Dim>
 struct Corral {
-  std::array<Vec3, 4> point;
-  std::array<double, 4> weight{};
+  static constexpr int most = Dim + 1;
+  std::array<Vec<Dim>, most> point;
+  std::array<double, most> weight{};
   int size = 0;
 
-  Vec3 nearest() const {
-    Vec3 x{};
+  Vec<Dim> nearest() const {
+    Vec<Dim> x{};
     for (int k = 0; k < size; ++k) x += weight[k] * point[k];
     return x;
   }
 
   /// Weights of the point of the affine hull that is nearest to the origin: (G + 1) u = 1, w = u / sum u with
   /// the Gram matrix G. False where the points are not independent, to rounding.
-  bool affine_weights(std::array<double, 4>& out) const {
-    double a[4][5];
+  bool affine_weights(std::array<double, most>& out) const {
+    double a[most][most + 1];
     for (int i = 0; i < size; ++i) {
       for (int j = 0; j < size; ++j) a[i][j] = dot(point[i], point[j]) + 1;
       a[i][size] = 1;
@@ -53,7 +55,7 @@ struct Corral {
 
   /// Moves to the nearest point of the hull of these points, and drops those that it does not need.
   bool reduce() {
-    std::array<double, 4> wanted{};
+    std::array<double, most> wanted{};
     while (size > 0) {
       if (!affine_weights(wanted)) return false;
       double step = 1;
@@ -72,19 +74,21 @@ struct Corral {
 
 }  // namespace
 
-double distance_to_hull(std::span<const Vec3> points) {
+template <int Dim>
+double distance_to_hull(std::span<const Vec<Dim>> points) {
   if (points.empty()) return std::numeric_limits<double>::infinity();
-  const auto shorter = [](const Vec3& a, const Vec3& b) { return dot(a, a) < dot(b, b); };
+  const auto shorter = [](const Vec<Dim>& a, const Vec<Dim>& b) { return dot(a, a) < dot(b, b); };
   const auto [least, most] = std::minmax_element(points.begin(), points.end(), shorter);
   const double rounding = 1e-9 * norm(*most);
-  Corral corral;
+  Corral<Dim> corral;
   corral.point[0] = *least;
   corral.weight[0] = corral.size = 1;
-  Vec3 x = *least;
+  Vec<Dim> x = *least;
   for (int round = 0; round < 1000 && norm(x) > rounding; ++round) {
-    const Vec3& next = *std::min_element(points.begin(), points.end(),
-                                         [&](const Vec3& a, const Vec3& b) { return dot(x, a) < dot(x, b); });
-    if (dot(x, x - next) <= rounding * norm(x) || corral.size == 4) break;
+    const Vec<Dim>& next =
+        *std::min_element(points.begin(), points.end(),
+                          [&](const Vec<Dim>& a, const Vec<Dim>& b) { return dot(x, a) < dot(x, b); });
+    if (dot(x, x - next) <= rounding * norm(x) || corral.size == Corral<Dim>::most) break;
     corral.point[corral.size] = next;
     corral.weight[corral.size++] = 0;
     if (!corral.reduce()) break;
@@ -92,5 +96,9 @@ double distance_to_hull(std::span<const Vec3> points) {
   }
   return norm(x) > rounding ? norm(x) : 0;
 }
+
+template double distance_to_hull(std::span<const Vec2>);
+template double distance_to_hull(std::span<const Vec3>);
+template double distance_to_hull(std::span<const Vec<6>>);
 
 }  // namespace supple

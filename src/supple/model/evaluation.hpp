@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "supple/core/vec.hpp"
+#include "supple/model/lattice.hpp"
 #include "supple/model/pair_table.hpp"
 #include "supple/model/touch_table.hpp"
 
@@ -42,6 +43,14 @@ struct SiteForce {
   std::int32_t site;
   Vec<Dim> force;
 };
+
+/// The direction across the wall that pushes with this force: a wall beside pushes straight, and what has a
+/// part along the gradient is of floor or lid, which may rub.
+template <int Dim>
+int direction_of(const SiteForce<Dim>& wall) {
+  if (wall.force[gradient] != 0) return gradient;
+  return Dim == 3 && wall.force[flow] == 0 ? Dim - 1 : flow;
+}
 
 /// Whether an evaluation computes energies and the virial beside the forces.
 enum class Detail { forces, energies };

@@ -12,12 +12,13 @@ namespace supple {
 namespace {
 
 /// The site of negative weight that bears the largest share of a record of the touch.
-std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyTouch<2>& touch,
+template <int Dim>
+std::int32_t main_site(const std::vector<ContactRecord<Dim>>& records, const BodyTouch<Dim>& touch,
                        const ContactLaws& laws) {
   std::int32_t site = -1;
   double largest = -1;
   for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r) {
-    const ContactRecord<2>& record = records[r];
+    const ContactRecord<Dim>& record = records[r];
     const BodyLaw& law = laws.of(record.species);
     const double force = std::abs(record.multiplicity * law.force(record.distance(), record.reach));
     for (int k = 0; k < record.sites; ++k)
@@ -31,53 +32,60 @@ std::int32_t main_site(const std::vector<ContactRecord<2>>& records, const BodyT
 
 /// Displacement from the sites of negative weight as they are stored to the copy that the record is with. The
 /// branch of the record is the sum of weight times position over the images that meet.
-Vec2 shift_of(const System<2>& system, const ContactRecord<2>& record) {
-  Vec2 stored{};
+template <int Dim>
+Vec<Dim> shift_of(const System<Dim>& system, const ContactRecord<Dim>& record) {
+  Vec<Dim> stored{};
   for (int k = 0; k < record.sites; ++k) stored += record.weight[k] * system.state.position[record.site[k]];
   return stored - record.branch;
 }
 
 /// The pair of a contact, with the cells between its bodies.
-ContactNetwork::Pair pair_of(const Box<2>& box, const SiteContact& c) {
+template <int Dim>
+ContactNetwork::Pair pair_of(const Box<Dim>& box, const SiteContact<Dim>& c) {
   const bool turned = c.body > c.other_body;
-  const Vec2 shift = turned ? -c.shift : c.shift;
+  const Vec<Dim> shift = turned ? -c.shift : c.shift;
   const auto cells = [&](int d, double length) {
     return box.periodic[d] ? static_cast<std::int32_t>(std::lround(length / box.length[d])) : 0;
   };
   const std::int32_t up = cells(gradient, shift[gradient]);
   const std::int32_t across = cells(flow, shift[flow] - up * box.lattice().shift);
-  return {turned ? c.other_body : c.body, turned ? c.body : c.other_body, across, up, 1};
+  const std::int32_t along = Dim == 3 ? cells(Dim - 1, shift[Dim - 1]) : 0;
+  return {turned ? c.other_body : c.body, turned ? c.body : c.other_body, across, up, along, 1};
 }
 
 bool counts(std::span<const std::uint8_t> left_out, std::int32_t body) {
   return left_out.empty() || left_out[body] == 0;
 }
 
-/// Which wall pushes with this force: 0 and 1 along the flow, 2 and 3 along the gradient. A wall beside
-/// pushes straight.
-int wall_of(const SiteForce<2>& wall) {
-  const int d = wall.force[gradient] != 0 ? gradient : flow;
+/// Which wall pushes with this force: 0 and 1 along the flow, 2 and 3 along the gradient, 4 and 5 along the
+/// vorticity. A wall beside pushes straight.
+template <int Dim>
+int wall_of(const SiteForce<Dim>& wall) {
+  const int d = direction_of(wall);
   return 2 * d + (wall.force[d] > 0 ? 0 : 1);
 }
 
 }  // namespace
 
-std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                       const ContactLaws& laws) {
+template <int Dim>
+std::vector<SiteContact<Dim>> site_contacts(const System<Dim>& system,
+                                            const std::vector<ContactRecord<Dim>>& records,
+                                            const ContactLaws& laws) {
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  std::vector<SiteContact> contacts;
-  for (const BodyTouch<2>& touch : sum_touches(system, records, laws))
+  std::vector<SiteContact<Dim>> contacts;
+  for (const BodyTouch<Dim>& touch : sum_touches(system, records, laws))
     contacts.push_back({touch.site, main_site(records, touch, laws), body[touch.site], touch.body,
                         touch.force, shift_of(system, records[touch.first_record]), touch.normal_force() < 0,
                         laws.of(records[touch.first_record].species).attracts()});
   return contacts;
 }
 
-double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+template <int Dim>
+double mean_overlap(const System<Dim>& system, const std::vector<ContactRecord<Dim>>& records,
                     const ContactLaws& laws) {
-  const std::vector<BodyTouch<2>> touches = sum_touches(system, records, laws);
+  const std::vector<BodyTouch<Dim>> touches = sum_touches(system, records, laws);
   double sum = 0;
-  for (const BodyTouch<2>& touch : touches) {
+  for (const BodyTouch<Dim>& touch : touches) {
     double depth =
         0;  // a corner that is taken back (weight -1) is never nearer than the edges that end there
     for (std::int32_t r = touch.first_record; r < touch.first_record + touch.records; ++r)
@@ -93,14 +101,15 @@ std::vector<std::int32_t> ContactNetwork::contacts_of_bodies() const {
   return count;
 }
 
-ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
-                               std::span<const SiteForce<2>> wall) {
+template <int Dim>
+ContactNetwork contact_network(const System<Dim>& system, const std::vector<SiteContact<Dim>>& contacts,
+                               std::type_identity_t<std::span<const SiteForce<Dim>>> wall) {
   ContactNetwork network;
   const int sites = system.state.size();
   network.walls.assign(static_cast<std::size_t>(system.topology.body_count(sites)), 0);
-  for (const SiteContact& c : contacts) network.pairs.push_back(pair_of(system.box, c));
+  for (const SiteContact<Dim>& c : contacts) network.pairs.push_back(pair_of(system.box, c));
   const auto key = [](const ContactNetwork::Pair& p) {
-    return std::tuple(p.first, p.second, p.across, p.up);
+    return std::tuple(p.first, p.second, p.across, p.up, p.along);
   };
   std::sort(network.pairs.begin(), network.pairs.end(),
             [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -112,7 +121,7 @@ ContactNetwork contact_network(const System<2>& system, const std::vector<SiteCo
 
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, sites);
   std::vector<std::pair<std::int32_t, int>> touched;
-  for (const SiteForce<2>& w : wall) touched.emplace_back(body[w.site], wall_of(w));
+  for (const SiteForce<Dim>& w : wall) touched.emplace_back(body[w.site], wall_of(w));
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   for (const auto& [b, which] : touched) ++network.walls[b];
@@ -134,32 +143,51 @@ ContactNumbers count_contacts(const ContactNetwork& network, std::span<const std
   return numbers;
 }
 
-ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
+template <int Dim>
+ConstraintCount count_constraints(const System<Dim>& system, const std::vector<SiteContact<Dim>>& contacts,
                                   std::span<const std::uint8_t> left_out,
-                                  std::span<const SiteForce<2>> wall) {
+                                  std::type_identity_t<std::span<const SiteForce<Dim>>> wall) {
   ConstraintCount out;
   const int sites = system.state.size();
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, sites);
-  for (int d = 0; d < 2; ++d) out.translations += system.box.periodic[d];
+  for (int d = 0; d < Dim; ++d) out.translations += system.box.periodic[d];
   const std::vector<std::int32_t>& rigid = system.rigid.body;
   for (int b = 0; b < system.topology.body_count(sites); ++b) {
     if (!counts(left_out, b)) continue;
-    if (const auto r = std::lower_bound(rigid.begin(), rigid.end(), b); r != rigid.end() && *r == b) {
-      out.freedoms += held(system, static_cast<int>(r - rigid.begin())) ? 0 : 3;
-      continue;
-    }
+    if constexpr (Dim == 2)
+      if (const auto r = std::lower_bound(rigid.begin(), rigid.end(), b); r != rigid.end() && *r == b) {
+        out.freedoms += held(system, static_cast<int>(r - rigid.begin())) ? 0 : 3;
+        continue;
+      }
     const int n = system.topology.body_size(b);
     for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
-      out.freedoms += system.state.mobility[i] == Mobility::free ? 2 : 0;
+      out.freedoms += system.state.mobility[i] == Mobility::free ? Dim : 0;
     if (n < 3 || system.shape.empty()) continue;
     const ShapeStiffness& k = system.shape.stiffness[b];
-    const int deformations = 2 * n - 3, stiff = (k.volume > 0) + (k.facet > 0 ? n : 0);
+    const int facets = system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];
+    const int deformations = Dim == 2 ? 2 * n - 3 : 3 * n - 6,
+              stiff = (k.volume > 0) + (k.facet > 0 ? facets : 0);
     out.shape += k.hinge > 0 || k.tension > 0 ? deformations : std::min(stiff, deformations);
   }
-  for (const SiteContact& c : contacts)
+  for (const SiteContact<Dim>& c : contacts)
     out.contacts += counts(left_out, c.body) && counts(left_out, c.other_body);
-  for (const SiteForce<2>& w : wall) out.contacts += counts(left_out, body[w.site]);
+  for (const SiteForce<Dim>& w : wall) out.contacts += counts(left_out, body[w.site]);
   return out;
 }
+
+template std::vector<SiteContact<2>> site_contacts(const System<2>&, const std::vector<ContactRecord<2>>&,
+                                                   const ContactLaws&);
+template double mean_overlap(const System<2>&, const std::vector<ContactRecord<2>>&, const ContactLaws&);
+template ContactNetwork contact_network(const System<2>&, const std::vector<SiteContact<2>>&,
+                                        std::span<const SiteForce<2>>);
+template ConstraintCount count_constraints(const System<2>&, const std::vector<SiteContact<2>>&,
+                                           std::span<const std::uint8_t>, std::span<const SiteForce<2>>);
+template std::vector<SiteContact<3>> site_contacts(const System<3>&, const std::vector<ContactRecord<3>>&,
+                                                   const ContactLaws&);
+template double mean_overlap(const System<3>&, const std::vector<ContactRecord<3>>&, const ContactLaws&);
+template ContactNetwork contact_network(const System<3>&, const std::vector<SiteContact<3>>&,
+                                        std::span<const SiteForce<3>>);
+template ConstraintCount count_constraints(const System<3>&, const std::vector<SiteContact<3>>&,
+                                           std::span<const std::uint8_t>, std::span<const SiteForce<3>>);
 
 }  // namespace supple

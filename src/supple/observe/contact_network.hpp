@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "supple/contact/body_contacts.hpp"
@@ -12,12 +13,13 @@ namespace supple {
 
 /// One contact: all that acts between a site and another body (sum_touches); of rough contacts and discs,
 /// between two sites.
+template <int Dim>
 struct SiteContact {
   std::int32_t site, other;  ///< the site that acts, and the site of the other body that bears most of it
   std::int32_t body, other_body;
-  Vec2 force;  ///< on `site`, along a line through it
+  Vec<Dim> force;  ///< on `site`, along a line through it
   /// Displacement from the unwrapped sites of the other body to the copy that is met [length].
-  Vec2 shift{};
+  Vec<Dim> shift{};
   bool pulls = false;  ///< the site toward the other body
   bool holds = false;  ///< both ways: it takes energy to open it too
 
@@ -26,12 +28,15 @@ struct SiteContact {
 };
 
 /// The contacts that these records make under these laws, in the order of the records.
-std::vector<SiteContact> site_contacts(const System<2>& system, const std::vector<ContactRecord<2>>& records,
-                                       const ContactLaws& laws);
+template <int Dim>
+std::vector<SiteContact<Dim>> site_contacts(const System<Dim>& system,
+                                            const std::vector<ContactRecord<Dim>>& records,
+                                            const ContactLaws& laws);
 
 /// Mean relative overlap of the contacts of these records: (reach - distance)/reach, of a contact of several
 /// records the largest. 0 without contacts.
-double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>& records,
+template <int Dim>
+double mean_overlap(const System<Dim>& system, const std::vector<ContactRecord<Dim>>& records,
                     const ContactLaws& laws);
 
 /// Which bodies touch each other or a wall. Two bodies that touch through two images, as in a very small
@@ -39,10 +44,11 @@ double mean_overlap(const System<2>& system, const std::vector<ContactRecord<2>>
 struct ContactNetwork {
   struct Pair {
     std::int32_t first, second;  ///< bodies, first <= second
-    std::int32_t across, up;     ///< cells by which the copy of `second` is displaced along flow and gradient
+    /// Cells by which the copy of `second` is displaced along flow, gradient and, in 3D, vorticity.
+    std::int32_t across, up, along;
     std::int32_t site_contacts;
   };
-  std::vector<Pair> pairs;          ///< ascending (first, second, across, up)
+  std::vector<Pair> pairs;          ///< ascending (first, second, across, up, along)
   std::vector<std::int32_t> walls;  ///< number of walls that each body touches
 
   int bodies() const { return static_cast<int>(walls.size()); }
@@ -51,8 +57,9 @@ struct ContactNetwork {
 };
 
 /// The network of these contacts; `wall` holds the forces of walls (Evaluation::wall).
-ContactNetwork contact_network(const System<2>& system, const std::vector<SiteContact>& contacts,
-                               std::span<const SiteForce<2>> wall = {});
+template <int Dim>
+ContactNetwork contact_network(const System<Dim>& system, const std::vector<SiteContact<Dim>>& contacts,
+                               std::type_identity_t<std::span<const SiteForce<Dim>>> wall = {});
 
 /// Contact numbers of the bodies that are not left out.
 struct ContactNumbers {
@@ -73,7 +80,8 @@ struct ConstraintCount {
   int shape = 0;         ///< independent constraints that the shape energy makes
   int contacts = 0;      ///< site contacts, and sites on walls
 
-  /// Contacts of an isostatic packing: in a periodic cell 2N - 1 for N smooth discs, 3N - 1 for N shells.
+  /// Contacts of an isostatic packing: in a periodic cell 2N - 1 for N smooth discs, 3N - 1 for N shells,
+  /// 3N - 2 for N smooth spheres.
   int needed() const { return freedoms - translations - shape + 1; }
   /// Contacts beyond isostatic. Packings of N floppy polygons of n sites lack N(n - 1) - 1 - contacts, which
   /// is their number of quartic modes.
@@ -81,11 +89,12 @@ struct ConstraintCount {
 };
 
 /// Counts over the bodies that are not left out. A rigid body has 3 degrees of freedom, each free site of
-/// another one has 2. The shape energy of a polygon of n sites constrains as many of its 2n - 3 deformations
-/// as it has stiff terms (1 for its area, n for its edges), and all of them where corners are stiff or edges
-/// have line tension.
-ConstraintCount count_constraints(const System<2>& system, const std::vector<SiteContact>& contacts,
+/// another one has 2 (3D: 3). The shape energy of a polygon (surface) of n sites constrains as many of its
+/// 2n - 3 (3n - 6) deformations as it has stiff terms (1 for its area or volume, one for each of its edges or
+/// triangles), and all of them where hinges are stiff or facets have tension.
+template <int Dim>
+ConstraintCount count_constraints(const System<Dim>& system, const std::vector<SiteContact<Dim>>& contacts,
                                   std::span<const std::uint8_t> left_out = {},
-                                  std::span<const SiteForce<2>> wall = {});
+                                  std::type_identity_t<std::span<const SiteForce<Dim>>> wall = {});
 
 }  // namespace supple

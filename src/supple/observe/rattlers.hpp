@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "supple/observe/contact_network.hpp"
@@ -9,9 +10,10 @@
 namespace supple {
 
 /// What acts on bodies besides their contacts: walls (Evaluation::wall) and weight.
+template <int Dim>
 struct OutsideForces {
-  std::span<const SiteForce<2>> wall = {};
-  Vec2 gravity{};  ///< [length/time^2]
+  std::span<const SiteForce<Dim>> wall = {};
+  Vec<Dim> gravity{};  ///< [length/time^2]
 };
 
 /// One number for each body, 1 where it is a rattler. While its neighbours are held, a rattler has a motion
@@ -25,7 +27,10 @@ struct OutsideForces {
 ///
 /// Torques enter wrenches divided by the outer radius of the body. A motion of size 1 must open every contact
 /// at a rate of at least `least_rate`, because forces balance only to the tolerance of a minimisation.
-std::vector<std::uint8_t> find_rattlers(const System<2>& system, const std::vector<SiteContact>& contacts,
-                                        const OutsideForces& outside = {}, double least_rate = 1e-3);
+template <int Dim>
+std::vector<std::uint8_t> find_rattlers(const System<Dim>& system,
+                                        const std::vector<SiteContact<Dim>>& contacts,
+                                        const std::type_identity_t<OutsideForces<Dim>>& outside = {},
+                                        double least_rate = 1e-3);
 
 }  // namespace supple
