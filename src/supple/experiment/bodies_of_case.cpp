@@ -15,6 +15,7 @@
 #include "supple/core/random.hpp"
 #include "supple/energy/perimeter.hpp"
 #include "supple/experiment/random_centres.hpp"
+#include "supple/model/add_sites.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/polygons.hpp"
 #include "supple/model/sanity.hpp"
@@ -240,6 +241,15 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
   return loose;
 }
 
+namespace {
+
+void reserve_for(const Case& c, System<2>& system) {
+  const SampleSize count = sample_size(c);
+  reserve_polygons(system, static_cast<std::size_t>(count.bodies), static_cast<std::size_t>(count.sites));
+}
+
+}  // namespace
+
 System<2> particles_apart(const Case& c) {
   const std::vector<Species> all = species_of(c);
   const std::vector<const Species*> species = species_of_bodies(all);
@@ -247,6 +257,7 @@ System<2> particles_apart(const Case& c) {
   const double pitch = 2 * widest_particle(c, all);
   const auto side = static_cast<int>(std::ceil(std::sqrt(bodies)));
   System<2> system;
+  reserve_for(c, system);
   system.box.length = {pitch * side, pitch * side};
   for (int b = 0; b < bodies; ++b)
     add_particle(c, *species[b], b, {pitch * (b % side + 0.5), pitch * (b / side + 0.5)}, system);
@@ -261,6 +272,7 @@ System<2> random_packing(const Case& c, double packing_fraction_wanted, const En
   const std::vector<Species> all = species_of(c);
   const std::vector<const Species*> species = species_of_bodies(all);
   System<2> system;
+  reserve_for(c, system);
   system.box = loose.cell;
   for (std::size_t b = 0; b < species.size(); ++b)
     add_particle(c, *species[b], static_cast<int>(b), centre[b], system);

@@ -20,6 +20,17 @@ void begin_bodies(System<Dim>& system) {
   system.pairs.width = 0;  // conservative contacts remember nothing
 }
 
+/// Takes memory at once for polygons and discs of this many sites in all, that will be added.
+inline void reserve_polygons(System<2>& system, std::size_t bodies, std::size_t sites) {
+  system.state.reserve(sites);
+  Topology<2>& t = system.topology;
+  for (auto* begin : {&t.begin, &t.facet_begin, &t.hinge_begin}) begin->reserve(bodies + 1);
+  t.facet.reserve(sites);
+  t.hinge.reserve(sites);
+  system.shape.rest_facet.reserve(sites);
+  system.shape.rest_hinge.reserve(sites);
+}
+
 /// Adds the sites of one more body, each of mass 1 and this radius [length], with the moment of inertia of a
 /// disc or a sphere.
 template <int Dim>

@@ -25,6 +25,15 @@ struct State {
 
   int size() const { return static_cast<int>(position.size()); }
 
+  /// Takes memory for n sites at once, of which as yet there are fewer.
+  void reserve(std::size_t n) {
+    position.reserve(n);
+    velocity.reserve(n);
+    spin.reserve(n);
+    for (auto* array : {&mass, &radius, &angle, &inertia}) array->reserve(n);
+    mobility.reserve(n);
+  }
+
   void resize(int n) {
     position.resize(n);
     velocity.resize(n);

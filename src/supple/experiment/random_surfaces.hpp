@@ -1,0 +1,27 @@
+/// Samples of particles in 3D at random places.
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "supple/build/surfaces.hpp"
+#include "supple/model/system.hpp"
+
+namespace supple {
+
+/// Geodesic spheres, or smooth spheres, of two sizes. Small ones have the volume 1.
+struct SurfaceSample {
+  int count = 16;
+  int vertices = 42;  ///< 12, 42, 162 ... (geodesic_icosahedron); 1: smooth spheres
+  double size_ratio = 1.4, large_fraction = 0.5;
+  double diameter_ratio = 1;      ///< of vertices, over the mean edge; for smooth spheres it means nothing
+  ShapeSpec shape = {};           ///< of each of them; relative stiffnesses mean the same for both sizes
+  double packing_fraction = 0.1;  ///< of the spheres that enclose the particles
+  std::int64_t seed = 1;
+};
+
+/// These particles in a cubic periodic cell, turned at random and apart as far as there is room. A shape
+/// parameter above that of the geodesic sphere leaves triangles compressed: vertices are pushed a little, so
+/// that they buckle. Throws an input error on numbers that cannot be, and `interrupted` where asked to stop.
+System<3> random_surfaces(const SurfaceSample& sample, const std::function<bool()>& stop_requested = {});
+
+}  // namespace supple

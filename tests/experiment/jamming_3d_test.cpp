@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "supple/experiment/jam.hpp"
+#include "supple/experiment/random_surfaces.hpp"
+#include "supple/observe/body_stress.hpp"
+#include "supple/observe/rattlers.hpp"
+
+namespace supple {
+namespace {
+
+struct Family {
+  const char *name, *contact;
+  int vertices;
+  ShapeSpec shape;
+  JamSearch search = JamSearch::pressure;
+};
+
+void PrintTo(const Family& f, std::ostream* out) { *out << f.name; }
+
+/// Bending, tension and shape parameter of the families of Table 9.1, stiffnesses relative.
+ShapeSpec spec(double area, double bending, double tension, double shape_parameter) {
+  ShapeSpec s{.area = 1, .length = area, .bending = bending, .tension = tension};
+  s.shape_parameter = shape_parameter;
+  return s;
+}
+
+Case case_of(const Family& f) {
+  Case c;
+  c.general.experiment = "jamming";
+  c.contact.kind = f.contact;
+  return c;
+}
+
+/// U with cell and bodies strained by e_ij.
+double strained_energy(const Packing<3>& packing, int i, int j, double e) {
+  Packing<3> p = packing;
+  System<3>& s = p.system;
+  for (Vec3& x : s.state.position) x[i] += e * x[j];
+  if (i == j) {
+    s.box.length[i] *= 1 + e;
+    if (i == flow) s.box.strain *= 1 + e;
+    if (i == gradient) s.box.strain /= 1 + e;
+  } else {
+    s.box.strain += e;
+  }
+  Evaluation<3> out;
+  p.field->invalidate();
+  p.field->evaluate(s, Detail::energies, out);
+  return out.energy.stored();
+}
+
+class JammingIn3D : public ::testing::TestWithParam<Family> {};
+
+TEST_P(JammingIn3D, EndsInThePressureWindow) {
+  const Family& f = GetParam();
+  const Case c = case_of(f);
+  SurfaceSample sample{.count = f.vertices == 1 ? 16 : 4, .vertices = f.vertices, .shape = f.shape};
+  Packing<3> packing = packing_of(c, random_surfaces(sample));
+  JamSpec wanted;
+  wanted.search = f.search;
+  wanted.pressure = 1e-5;
+  wanted.step = 0.01;
+  const JamProgress<3> end = jam(packing, wanted);
+  EXPECT_TRUE(in_window(wanted, end.state.pressure)) << end.state.pressure;
+  EXPECT_TRUE(end.last.converged) << end.last.reason;
+
+  Evaluation<3> out;
+  System<3>& s = packing.system;
+  packing.field->evaluate(s, Detail::energies, out);
+  const BodyStresses<3> stresses = body_stresses(s, *packing.field, out);
+  Mat<3> moments;
+  for (const Mat<3>& m : stresses.moment) moments += m;
+  const double scale = end.state.pressure * packing.pressure_unit * s.box.volume();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_NEAR(out.virial[i][j], s.box.volume() * stresses.virial()[i][j], 1e-8 * scale) << i << j;
+      EXPECT_NEAR(out.virial[i][j], moments[i][j], 1e-8 * scale) << i << j;
+      if (i != j && !(i == flow && j == gradient)) continue;  // the cell can be sheared in one way
+      const double h = 1e-6;
+      const double slope = (strained_energy(packing, i, j, h) - strained_energy(packing, i, j, -h)) / (2 * h);
+      EXPECT_NEAR(out.virial[i][j], -slope, 2e-5 * scale) << i << j;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, JammingIn3D,
+                         ::testing::Values(Family{"spheres", "rough", 1, {}},
+                                           Family{"spheres_by_root", "rough", 1, {}, JamSearch::root},
+                                           Family{"smooth_spheres", "smooth", 1, {}},
+                                           Family{"rough_shells", "rough", 42, spec(1, 0.05, 0, 0)},
+                                           Family{"smooth_shells", "smooth", 42, spec(1, 0.05, 0, 0)},
+                                           Family{"rough_floppy", "rough", 42, spec(1, 0, 0, 1.04)},
+                                           Family{"rough_droplets", "rough", 42, spec(0.1, 0, 0.2, 0)},
+                                           Family{"smooth_droplets", "smooth", 42, spec(0.1, 0, 0.2, 0)}),
+                         [](const auto& i) { return std::string(i.param.name); });
+
+/// A just rigid packing of N spheres without friction has 3N - 2 contacts, rattlers left out [O'Hern 2003].
+TEST(JammedSpheres, AreIsostatic) {
+  SurfaceSample sample{.count = 32, .vertices = 1};
+  sample.seed = 3;
+  Packing<3> packing = packing_of(case_of({"spheres", "rough", 1, {}}), random_surfaces(sample));
+  JamSpec wanted;
+  wanted.pressure = 1e-7;
+  wanted.step = 0.01;
+  jam(packing, wanted);
+  System<3>& s = packing.system;
+  Evaluation<3> out;
+  packing.field->evaluate(s, Detail::energies, out);
+  BodyContacts<3>& law = *packing.field->bodies();
+  const auto contacts = site_contacts(s, law.records(s), law.laws());
+  const std::vector<std::uint8_t> rattlers = find_rattlers(s, contacts);
+  const ContactNumbers numbers = count_contacts(contact_network(s, contacts), rattlers);
+  EXPECT_LT(std::count(rattlers.begin(), rattlers.end(), 1), 6);
+  EXPECT_NEAR(numbers.mean(), 6 - 4.0 / numbers.bodies, 0.01 * 6);
+  EXPECT_EQ(count_constraints(s, contacts, rattlers).excess(), numbers.pairs - (3 * numbers.bodies - 2));
+  EXPECT_NEAR(covered_fraction(packing), 0.63, 0.03);
+}
+
+}  // namespace
+}  // namespace supple
