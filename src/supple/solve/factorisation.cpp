@@ -1,4 +1,4 @@
-#include "supple/solve/factorisation.hpp"
+#include "supple/solve/block_factorisation.hpp"
 
 #include <fmt/core.h>
 
