@@ -107,7 +107,7 @@ TEST(SmoothContacts, CountsEdgesMinusVertices) {
       bool behind = false;
       for (std::size_t e = 0; e < ring.size(); ++e) {
         const Vec2 a = ring[e], b = ring[(e + 1) % ring.size()];
-        const ClosestOnSegment c = closest_on_segment(p, a, b);
+        const ClosestOnSegment<2> c = closest_on_segment(p, a, b);
         u += phi(norm(c.from)) - phi(norm(p - a));
         edges += c.along > 0 && c.along < 1 && norm(c.from) < 0.9;
         behind = behind || (norm(c.from) < 0.9 && cross(p - a, b - a) < 0 && c.along > 0 && c.along < 1);

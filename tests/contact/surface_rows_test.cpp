@@ -2,7 +2,7 @@
 
 #include "supple/contact/neighbor_list.hpp"
 #include "supple/geometry/closest_point.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/support/corner_meshes.hpp"
 
 namespace supple {
 namespace {

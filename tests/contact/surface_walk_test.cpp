@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "supple/core/error.hpp"
-#include "tests/support/meshes.hpp"
+#include "tests/support/corner_meshes.hpp"
 #include "tests/support/surface_probe.hpp"
 
 namespace supple {
