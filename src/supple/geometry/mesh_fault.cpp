@@ -11,6 +11,7 @@
 #include "supple/core/error.hpp"
 #include "supple/geometry/box_tree.hpp"
 #include "supple/geometry/mesh_connections.hpp"
+#include "supple/geometry/mesh_measures.hpp"
 #include "supple/geometry/surface_crossings.hpp"
 #include "supple/model/sanity.hpp"
 

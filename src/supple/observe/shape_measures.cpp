@@ -4,7 +4,7 @@
 #include <numbers>
 #include <span>
 
-#include "supple/build/surfaces.hpp"
+#include "supple/geometry/mesh_measures.hpp"
 #include "supple/geometry/facet.hpp"
 #include "supple/geometry/polygon.hpp"
 
