@@ -6,8 +6,8 @@
 #include "supple/core/parallel.hpp"
 #include "supple/force/shape_terms.hpp"
 #include "tests/support/all_images.hpp"
-#include "tests/support/field_check.hpp"
 #include "tests/support/corner_meshes.hpp"
+#include "tests/support/field_check.hpp"
 #include "tests/support/surface_reference.hpp"
 
 namespace supple {

@@ -46,6 +46,19 @@ TEST(ClosestOnTriangle, IsTheNearestPointInEveryPart) {
   for (const auto& [part, times] : parts) EXPECT_GT(times, 300);
 }
 
+TEST(ClosestOnTriangle, IsNeverNearerThanTheBoxAboutTheTriangle) {
+  RandomStream draw(6, Purpose::test);
+  int far = 0, near = 0;
+  for (int k = 0; k < 10000; ++k) {
+    const Vec3 x[3] = {draw_point(draw, 1), draw_point(draw, 1), draw_point(draw, 1)};
+    const Vec3 p = draw_point(draw, 2), from = closest_on_triangle(p, x).from;
+    ASSERT_TRUE(may_be_nearer(p, x, 1.0001 * dot(from, from)));
+    (may_be_nearer(p, x, 0.5 * dot(from, from)) ? near : far) += 1;
+  }
+  EXPECT_GT(far, 3000) << "it says nothing";
+  EXPECT_GT(near, 1000);
+}
+
 TEST(ClosestOnTriangle, OverAnObtuseTriangle) {
   const Vec3 x[3] = {{0, 0, 0}, {10, 0, 0}, {1, 0.5, 0}};
   EXPECT_EQ(closest_on_triangle({0.5, 0.6, 0.3}, x).part, TrianglePart::edge_2);

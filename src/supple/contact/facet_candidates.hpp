@@ -46,17 +46,31 @@ class FacetCandidates {
   const RowImages<3>& images() const { return images_; }
 
  private:
-  struct Found;
-  void collect(const System<3>& system, const std::vector<std::int32_t>& body, double range,
-               std::vector<Found>& found);
-  void arrange(const System<3>& system, const std::vector<std::int32_t>& body,
-               const std::vector<Found>& found);
+  /// A site and a triangle, before duplicates are gone.
+  struct Found {
+    std::int32_t body, image;
+    Vec3 cells;  ///< orders images whatever rows made them known
+    std::int32_t facet;
+  };
+  /// A vertex that has a row with a site, and the image of the site that it is about.
+  struct Partner {
+    std::int32_t vertex, image;
+  };
+  void list_partners(const System<3>& system, const std::vector<std::int32_t>& body);
+  void find_facets(const System<3>& system, std::int32_t site, const std::vector<std::int32_t>& body,
+                   double range, const std::vector<Vec3>& shift);
+  void add_groups(const System<3>& system, std::int32_t site, std::int32_t own_body);
 
   RowImages<3> images_;
   SurfaceFans fans_;
   std::vector<FacetGroup> groups_;
   std::vector<std::int32_t> facets_, round_rows_;
   std::vector<Vec3> shifts_;
+  // Kept, as their memory is used again:
+  std::vector<std::int32_t> partner_begin_;  ///< of each site
+  std::vector<Partner> partners_;
+  std::vector<std::int64_t> looked_at_;  ///< of each triangle: by which site and image last
+  std::vector<Found> found_;             ///< of one site
 };
 
 }  // namespace supple

@@ -44,6 +44,20 @@ struct ClosestOnTriangle {
   Vec3 normal;  ///< (x1 - x0) x (x2 - x0), twice the area long [length^2]
 };
 
+/// Whether the triangle x may be nearer to p than the root of `square` [length^2]: whether the box about it
+/// is. Several times as quick as to find its nearest point, and most triangles that are looked at are not
+/// near.
+inline bool may_be_nearer(const Vec3& p, const Vec3 (&x)[3], double square) {
+  double least = 0;
+  for (int d = 0; d < 3; ++d) {
+    const double low = std::min(std::min(x[0][d], x[1][d]), x[2][d]),
+                 high = std::max(std::max(x[0][d], x[1][d]), x[2][d]);
+    const double away = std::max(std::max(low - p[d], p[d] - high), 0.0);
+    least += away * away;
+  }
+  return least < square;
+}
+
 /// Nearest point of the triangle x to p. A corner is nearest where p is beyond it along both of its edges, an
 /// edge where p is beyond neither of its ends and its foot on the plane is beyond the edge [the conditions of
 /// Karush, Kuhn and Tucker]. Corners are asked first and by is_beyond_corner(): what a corner decides is,
