@@ -80,4 +80,8 @@ inline TriangleMesh saddle_mesh(int waves, double height) {
   return mesh;
 }
 
+/// A thin body with edges of 20 degrees.
+inline const TriangleMesh needle{{{0, 0, 0}, {4, 0.3, 0.1}, {4, -0.3, 0.2}, {4, 0, -0.6}},
+                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+
 }  // namespace supple::testing
