@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "supple/build/surfaces.hpp"
+#include "supple/contact/edge_cover.hpp"
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/contact/smooth_surfaces.hpp"
@@ -203,6 +204,8 @@ template <int Dim>
 Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   require_sane(system, "this packing");
   check_tension(system);
+  if constexpr (Dim == 3)
+    require_covered_edges(system, c.contact.kind == "smooth" ? least_smooth_diameter : least_rough_diameter);
   Packing<Dim> p;
   p.system = std::move(system);
   p.field = std::make_unique<ForceField<Dim>>(make_body_field<Dim>(c));

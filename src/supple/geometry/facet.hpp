@@ -33,6 +33,45 @@ inline double facet_covering_radius(const Vec3 (&x)[3]) {
   return std::sqrt(a * b * c) / (4 * facet_measure(x));
 }
 
+/// Whether the spheres of these radii about its corners hold all of a triangle. If they leave a hole, a
+/// corner of one of these is outside of them: where the part of the triangle that is nearest to one sphere,
+/// by the power |p - x_k|^2 - radius_k^2, has a corner. On each such part the power is a convex function,
+/// largest at a corner. These are the point of equal powers and, on the edges, the points of two equal
+/// powers.
+inline bool spheres_cover(const Vec3 (&x)[3], const double (&radius)[3]) {
+  const double least = std::min({radius[0], radius[1], radius[2]});
+  if (least > 0 && facet_covering_radius(x) < least) return true;
+  const Vec3 u = x[1] - x[0], v = x[2] - x[0];
+  // The point x0 + s u + t v has the powers |s u + t v|^2 + weight_k - 2 (s u + t v).(x_k - x0).
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
+  const double weight[3] = {-radius[0] * radius[0], uu - radius[1] * radius[1], vv - radius[2] * radius[2]};
+  const auto covered = [&](double s, double t) {
+    const double square = s * s * uu + 2 * s * t * uv + t * t * vv, along_u = s * uu + t * uv,
+                 along_v = s * uv + t * vv;
+    return square + std::min({weight[0], weight[1] - 2 * along_u, weight[2] - 2 * along_v}) < 0;
+  };
+  // Equal powers of 0 and 1, of 0 and 2, of 1 and 2: lines p s + q t = r.
+  const double lines[3][3] = {{2 * uu, 2 * uv, weight[1] - weight[0]},
+                              {2 * uv, 2 * vv, weight[2] - weight[0]},
+                              {2 * (uv - uu), 2 * (vv - uv), weight[2] - weight[1]}};
+  const double corner[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+  for (const auto& [s, t] : corner)
+    if (!covered(s, t)) return false;
+  for (const auto& [p, q, r] : lines)
+    for (int k = 0; k < 3; ++k) {
+      const auto &from = corner[k], &to = corner[(k + 1) % 3];
+      const double start = p * from[0] + q * from[1] - r,
+                   change = p * (to[0] - from[0]) + q * (to[1] - from[1]);
+      const double at = -start / change;
+      if (at > 0 && at < 1 && !covered(from[0] + at * (to[0] - from[0]), from[1] + at * (to[1] - from[1])))
+        return false;
+    }
+  const double determinant = lines[0][0] * lines[1][1] - lines[0][1] * lines[1][0];
+  const double s = (lines[0][2] * lines[1][1] - lines[0][1] * lines[1][2]) / determinant;
+  const double t = (lines[0][0] * lines[1][2] - lines[0][2] * lines[1][0]) / determinant;
+  return !(s > 0 && t > 0 && s + t < 1) || covered(s, t);
+}
+
 /// Signed area of the triangle of the origin and an edge [length^2]; around a closed boundary these sum to
 /// the enclosed area.
 template <class S>

@@ -2,8 +2,11 @@
 /// is the sphere about each corner, the cylinder along each edge and the prism over the face.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "supple/core/vec.hpp"
 #include "supple/geometry/bands.hpp"
@@ -98,6 +101,22 @@ inline Crossing crossing_of(const LineAlongZ& line, const Vec3 (&x)[3]) {
   }
   const double height = (side[0] * x[2][2] + side[1] * x[0][2] + side[2] * x[1][2]) / sum;
   return {height, side[0] > 0 ? -1 : 1};
+}
+
+/// How often a closed surface winds about p, by the triangles that the line through p passes below it: a few
+/// products for each triangle. It is that of solid angles except within rounding of the surface.
+inline int winding_along_z(const Vec3& p, std::span<const Vec3> vertex,
+                           std::span<const std::array<std::int32_t, 3>> faces) {
+  int winding = 0;
+  for (const auto& [a, b, c] : faces) {
+    const Vec3 x[3] = {vertex[static_cast<std::size_t>(a)], vertex[static_cast<std::size_t>(b)],
+                       vertex[static_cast<std::size_t>(c)]};
+    const auto [low, high] = std::minmax({x[0][0], x[1][0], x[2][0]});
+    if (p[0] < low || high < p[0]) continue;
+    const Crossing at = crossing_of({p[0], p[1]}, x);
+    if (at.height < p[2]) winding += at.winding;
+  }
+  return winding;
 }
 
 }  // namespace supple
