@@ -16,6 +16,7 @@ struct Family {
   int vertices;
   ShapeSpec shape;
   JamSearch search = JamSearch::pressure;
+  int particles = 4;  ///< of many vertices
 };
 
 void PrintTo(const Family& f, std::ostream* out) { *out << f.name; }
@@ -57,7 +58,7 @@ class JammingIn3D : public ::testing::TestWithParam<Family> {};
 TEST_P(JammingIn3D, EndsInThePressureWindow) {
   const Family& f = GetParam();
   const Case c = case_of(f);
-  SurfaceSample sample{.count = f.vertices == 1 ? 16 : 4, .vertices = f.vertices, .shape = f.shape};
+  SurfaceSample sample{.count = f.vertices == 1 ? 16 : f.particles, .vertices = f.vertices, .shape = f.shape};
   Packing<3> packing = packing_of(c, random_surfaces(sample));
   JamSpec wanted;
   wanted.search = f.search;
@@ -79,9 +80,9 @@ TEST_P(JammingIn3D, EndsInThePressureWindow) {
       EXPECT_NEAR(out.virial[i][j], s.box.volume() * stresses.virial()[i][j], 1e-8 * scale) << i << j;
       EXPECT_NEAR(out.virial[i][j], moments[i][j], 1e-8 * scale) << i << j;
       if (i != j && !(i == flow && j == gradient)) continue;  // the cell can be sheared in one way
-      const double h = 1e-6;
+      const double h = 1e-8;  // fewer contacts would come and go in a shorter one
       const double slope = (strained_energy(packing, i, j, h) - strained_energy(packing, i, j, -h)) / (2 * h);
-      EXPECT_NEAR(out.virial[i][j], -slope, 2e-5 * scale) << i << j;
+      EXPECT_NEAR(out.virial[i][j], -slope, 1e-6 * scale) << i << j;
     }
 }
 
@@ -91,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Families, JammingIn3D,
                                            Family{"smooth_spheres", "smooth", 1, {}},
                                            Family{"rough_shells", "rough", 42, spec(1, 0.05, 0, 0)},
                                            Family{"smooth_shells", "smooth", 42, spec(1, 0.05, 0, 0)},
-                                           Family{"rough_floppy", "rough", 42, spec(1, 0, 0, 1.04)},
+                                           Family{"rough_floppy", "rough", 42, spec(1, 0, 0, 1.04), JamSearch::pressure, 8},
                                            Family{"rough_droplets", "rough", 42, spec(0.1, 0, 0.2, 0)},
                                            Family{"smooth_droplets", "smooth", 42, spec(0.1, 0, 0.2, 0)}),
                          [](const auto& i) { return std::string(i.param.name); });
