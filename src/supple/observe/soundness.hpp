@@ -36,8 +36,9 @@ struct Soundness {
   std::string what() const;
 };
 
-/// Looks at all bodies and all of their images. It takes as long as two or three force evaluations for a few
-/// bodies, and as some ten for hundreds.
+/// Looks at all bodies and all of their images. In 2D it takes as long as two or three force evaluations for
+/// a few bodies, and as some ten for hundreds; in 3D about 0.1 us for each vertex of sound surfaces, thirty
+/// times as long where all of them cross.
 Soundness look_at(const System<2>& system, Outline outline);
 Soundness look_at(const System<3>& system, Outline outline);
 
