@@ -14,7 +14,7 @@ namespace {
 using Points = std::vector<Vec3>;
 
 TEST(NearestInHull, ClosedForms) {
-  EXPECT_TRUE(std::isinf(distance_to_hull({})));
+  EXPECT_TRUE(std::isinf(distance_to_hull(std::vector<Vec3>{})));
   EXPECT_NEAR(distance_to_hull(Points{{3, 4, 12}}), 13, 1e-12);
   EXPECT_NEAR(distance_to_hull(Points{{1, -2, 0}, {1, 5, 0}}), 1, 1e-12) << "within a segment";
   EXPECT_NEAR(distance_to_hull(Points{{1, 2, 0}, {1, 5, 0}}), std::sqrt(5), 1e-12) << "at its end";
@@ -25,6 +25,23 @@ TEST(NearestInHull, ClosedForms) {
       << "below its base";
   EXPECT_NEAR(distance_to_hull(Points{{2, 0, 0}, {2, 0, 0}, {2, 0, 0}}), 2, 1e-12)
       << "one point, three times";
+}
+
+/// A simplex about the origin holds it; without one of its corners the face opposite to that is nearest.
+TEST(NearestInHull, InSixDimensions) {
+  std::vector<Vec<6>> simplex;
+  for (int d = 0; d < 6; ++d) {
+    Vec<6> e{};
+    e[d] = 1;
+    simplex.push_back(e);
+  }
+  EXPECT_NEAR(distance_to_hull(simplex), 1 / std::sqrt(6), 1e-12);
+  Vec<6> opposite;
+  for (int d = 0; d < 6; ++d) opposite[d] = -0.1;
+  simplex.push_back(opposite);
+  EXPECT_EQ(distance_to_hull(simplex), 0);
+  simplex.erase(simplex.begin());
+  EXPECT_NEAR(distance_to_hull(simplex), 1 / std::sqrt(230), 1e-12) << "the plane -15 x_0 + x_1 + ... = 1";
 }
 
 /// The distance is the largest over all directions q of the least q.p: the planes that part the hull from the
