@@ -17,6 +17,7 @@ struct Family {
   ShapeSpec shape;
   JamSearch search = JamSearch::pressure;
   int particles = 4;  ///< of many vertices
+  double pressure = 1e-5;
 };
 
 void PrintTo(const Family& f, std::ostream* out) { *out << f.name; }
@@ -62,7 +63,7 @@ TEST_P(JammingIn3D, EndsInThePressureWindow) {
   Packing<3> packing = packing_of(c, random_surfaces(sample));
   JamSpec wanted;
   wanted.search = f.search;
-  wanted.pressure = 1e-5;
+  wanted.pressure = f.pressure;
   wanted.step = 0.01;
   const JamProgress<3> end = jam(packing, wanted);
   EXPECT_TRUE(in_window(wanted, end.state.pressure)) << end.state.pressure;
@@ -74,15 +75,16 @@ TEST_P(JammingIn3D, EndsInThePressureWindow) {
   const BodyStresses<3> stresses = body_stresses(s, *packing.field, out);
   Mat<3> moments;
   for (const Mat<3>& m : stresses.moment) moments += m;
+  // No contacts may come or go between; the energy of tension is so large that small changes drown in it.
+  const double h = f.shape.tension > 0 ? 1e-6 : 1e-8, near = f.shape.tension > 0 ? 2e-5 : 1e-6;
   const double scale = end.state.pressure * packing.pressure_unit * s.box.volume();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       EXPECT_NEAR(out.virial[i][j], s.box.volume() * stresses.virial()[i][j], 1e-8 * scale) << i << j;
       EXPECT_NEAR(out.virial[i][j], moments[i][j], 1e-8 * scale) << i << j;
       if (i != j && !(i == flow && j == gradient)) continue;  // the cell can be sheared in one way
-      const double h = 1e-8;  // fewer contacts would come and go in a shorter one
       const double slope = (strained_energy(packing, i, j, h) - strained_energy(packing, i, j, -h)) / (2 * h);
-      EXPECT_NEAR(out.virial[i][j], -slope, 1e-6 * scale) << i << j;
+      EXPECT_NEAR(out.virial[i][j], -slope, near * scale) << i << j;
     }
 }
 
@@ -92,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(Families, JammingIn3D,
                                            Family{"smooth_spheres", "smooth", 1, {}},
                                            Family{"rough_shells", "rough", 42, spec(1, 0.05, 0, 0)},
                                            Family{"smooth_shells", "smooth", 42, spec(1, 0.05, 0, 0)},
-                                           Family{"rough_floppy", "rough", 42, spec(1, 0, 0, 1.04), JamSearch::pressure, 8},
+                                           Family{"rough_floppy", "rough", 42, spec(1, 0, 0, 1.04),
+                                                  JamSearch::pressure, 6, 1e-3},
                                            Family{"rough_droplets", "rough", 42, spec(0.1, 0, 0.2, 0)},
                                            Family{"smooth_droplets", "smooth", 42, spec(0.1, 0, 0.2, 0)}),
                          [](const auto& i) { return std::string(i.param.name); });
