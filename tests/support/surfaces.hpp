@@ -1,5 +1,6 @@
 /// Systems of closed surfaces and spheres for tests.
 #pragma once
+#include "tests/support/corner_meshes.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace supple::testing {

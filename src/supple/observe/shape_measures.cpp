@@ -4,8 +4,8 @@
 #include <numbers>
 #include <span>
 
-#include "supple/geometry/mesh_measures.hpp"
 #include "supple/geometry/facet.hpp"
+#include "supple/geometry/mesh_measures.hpp"
 #include "supple/geometry/polygon.hpp"
 
 namespace supple {
