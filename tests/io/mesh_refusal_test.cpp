@@ -79,6 +79,12 @@ TEST_F(RefusedMesh, Obj) {
        {"f 1 2 3", "curv2 1 2", "line 5: the statement 'curv2' is of a curve"}});
 }
 
+TEST_F(RefusedMesh, LinesAreCountedWhateverEndsThem) {
+  const std::string text = replaced("# one\n\n" + tetrahedron_obj, "f 1 2 3", "f 0 2 3");
+  for (const char* line_end : {"\n", "\r\n", "\r"})
+    EXPECT_THAT(error_of(replaced(text, "\n", line_end), "a"), HasSubstr("a, line 7: a face names vertex 0"));
+}
+
 TEST_F(RefusedMesh, Off) {
   expect_refusals(
       tetrahedron_off, "a.off",
