@@ -4,6 +4,7 @@
 // closed form.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -70,21 +71,27 @@ struct Meeting {
   BoundsOf<3> bounds;  ///< of both
 };
 
-/// A ball that holds all that a body covers.
-struct Ball {
-  Vec3 centre;
-  double radius = 0;
+/// How far a body reaches along a direction of length 1 [length]: its vertices with their spheres.
+double reach_along(const BodySurface& shape, const Vec3& direction) {
+  double reach = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < shape.size(); ++k)
+    reach = std::max(reach, dot(direction, shape.vertex[k]) + shape.radius[k]);
+  return reach;
+}
 
-  explicit Ball(const BodySurface& shape) : centre(0.5 * (shape.bounds.low + shape.bounds.high)) {
-    for (int k = 0; k < shape.size(); ++k)
-      radius = std::max(radius, norm(shape.vertex[k] - centre) + shape.radius[k]);
-  }
-};
+/// Whether a plane across the line of their middles parts a body from a displaced one.
+bool parted(const BodySurface& a, const BodySurface& b, const Vec3& shift) {
+  const auto middle = [](const BodySurface& s) { return 0.5 * (s.bounds.low + s.bounds.high); };
+  const Vec3 along = middle(b) + shift - middle(a);
+  const double length = norm(along);
+  if (!(length > 0)) return false;
+  const Vec3 direction = (1 / length) * along;
+  return reach_along(a, direction) < dot(direction, shift) - reach_along(b, -direction);
+}
 
 /// Every overlap of two bodies once, also of a body with its own image.
 std::vector<Meeting> find_meetings(const std::vector<BodySurface>& shapes, const Box<3>& box) {
   const ImageSearch search(shapes, box);
-  const std::vector<Ball> balls(shapes.begin(), shapes.end());
   std::vector<Meeting> meetings;
   std::vector<Image> near;
   for (int body = 0; body < static_cast<int>(shapes.size()); ++body) {
@@ -93,8 +100,7 @@ std::vector<Meeting> find_meetings(const std::vector<BodySurface>& shapes, const
       const double* shift = other.shift.e;
       const bool backward = std::lexicographical_compare(shift, shift + 3, Vec3{}.e, Vec3{}.e + 3);
       if (other.body < body || (other.body == body && backward)) continue;
-      const Ball &own = balls[body], &its = balls[other.body];
-      if (norm(its.centre + other.shift - own.centre) > own.radius + its.radius) continue;
+      if (parted(shapes[body], shapes[other.body], other.shift)) continue;
       Meeting m{body, other, {}, common_part(shapes[body].bounds, other.bounds)};
       for (const Image& third : near)
         if (&third != &other && third.bounds.meets(m.bounds)) m.third.push_back(third);
