@@ -263,12 +263,12 @@ TEST_F(RefusedMesh, WhatIsNoMeshFile) {
   EXPECT_THAT(file_error_of([&] { read_mesh(folder()); }), HasSubstr("it is a folder"));
 }
 
-/// The hole of a file takes no place on the disk; reading it would take memory.
+/// The hole of a file takes no place on the disk; it is refused before it is read, which would take memory.
 TEST_F(RefusedMesh, AFileThatIsTooLong) {
   write_content(in_folder("a.stl"), "");
   std::filesystem::resize_file(in_folder("a.stl"), (std::uintmax_t{1} << 28) + 1);
   EXPECT_THAT(file_error_of([&] { read_mesh(in_folder("a.stl")); }),
-              HasSubstr("longer than 268435456 bytes"));
+              HasSubstr("longer than 268435456 bytes); make"));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ PlacedMesh read_placed(const std::string& path) {
   std::error_code none;  // where nothing is there, or a pipe
   if (const auto size = std::filesystem::file_size(path, none); !none && size > longest_mesh_file)
     throw file_error(what, fmt::format("it is longer than {} bytes", longest_mesh_file),
-                     "a particle has fewer triangles: make the mesh coarser");
+                     "make the mesh coarser: a particle has fewer triangles");
   const std::string bytes = read_whole_file(path, "the mesh", longest_mesh_file);
   if (bytes.empty()) throw file_error(what, "it is empty");
   refuse_byte_order_mark(path, bytes);
