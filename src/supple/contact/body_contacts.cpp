@@ -87,8 +87,8 @@ class Curvature {
 
   const ContactRecord<Dim>& record_;
   double stretch_, slope_;
-  Slide<Dim> slides_[Dim - 1]{};
-  Vec<Dim> across_[Dim - 1]{};
+  Slide<Dim> slides_[2]{};  // of an edge in 2D one alone: GCC sees no bound there
+  Vec<Dim> across_[2]{};
 };
 
 }  // namespace
