@@ -101,7 +101,7 @@ TEST(BodyChords, IntegrateToTheVolumeOfSteiner) {
       return sum;
     };
     const Bounds base{{s.bounds.low[0], s.bounds.low[1]}, {s.bounds.high[0], s.bounds.high[1]}};
-    const Estimate found = integrate_over_lines(base, 1e-4 * exact, 1 << 22, draw, length);
+    const LineIntegral found = integrate_over_lines(base, 1e-4 * exact, 1 << 22, draw, length);
     EXPECT_NEAR(found.value, exact, 4 * found.error);
     EXPECT_LT(found.error, 3e-4 * exact);
     EXPECT_GT(found.error, 1e-7 * exact);

@@ -118,7 +118,7 @@ class Volumes {
   }
 
   /// Volume of a body alone, by lines.
-  Estimate alone(int body, double error, const VolumeAccuracy& a, RandomStream& draw) const {
+  LineIntegral alone(int body, double error, const VolumeAccuracy& a, RandomStream& draw) const {
     std::vector<Interval> own;
     const auto length = [&](const LineAlongZ& line) {
       chords_[body].find(line, own);
@@ -128,7 +128,7 @@ class Volumes {
   }
 
   /// The integral of 1/n over what two bodies have in common.
-  Estimate shared(const Meeting& m, double error, const VolumeAccuracy& a, RandomStream& draw) const {
+  LineIntegral shared(const Meeting& m, double error, const VolumeAccuracy& a, RandomStream& draw) const {
     std::vector<Interval> own, other, both, scratch;
     const auto share = [&](const LineAlongZ& line) {
       chords_[m.body].find(line, own);
@@ -231,18 +231,18 @@ PackingFraction packing_fraction(const System<3>& system, Outline outline, const
     about[b] = shapes[b].is_sphere() ? *exact_volume(shapes[b], outline) : shapes[b].polyhedron();
   const ErrorBudget budget(accuracy.relative_error, about, meetings.size());
 
-  std::vector<Estimate> integrals(bodies + meetings.size());
+  std::vector<LineIntegral> integrals(bodies + meetings.size());
   for_parts(static_cast<std::int64_t>(integrals.size()), [&](std::int64_t k) {
     RandomStream draw(accuracy.seed, Purpose::line_lattice, static_cast<std::uint64_t>(k));
-    Estimate& integral = integrals[k];
+    LineIntegral& integral = integrals[k];
     if (static_cast<std::size_t>(k) < bodies) {
       const auto exact = exact_volume(shapes[k], outline);
-      integral = exact ? Estimate{*exact, 0}
+      integral = exact ? LineIntegral{*exact, 0}
                        : volumes.alone(static_cast<int>(k), budget.per_volume * about[k], accuracy, draw);
     } else {
       const Meeting& m = meetings[static_cast<std::size_t>(k) - bodies];
       const auto exact = volumes.exact_share(m);
-      integral = exact ? Estimate{*exact, 0} : volumes.shared(m, budget.of_share, accuracy, draw);
+      integral = exact ? LineIntegral{*exact, 0} : volumes.shared(m, budget.of_share, accuracy, draw);
     }
   });
 

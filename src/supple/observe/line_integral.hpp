@@ -9,8 +9,8 @@
 
 namespace supple {
 
-/// An estimate with its standard error.
-struct Estimate {
+/// An integral with its standard error.
+struct LineIntegral {
   double value = 0, error = 0;
 };
 
@@ -33,8 +33,8 @@ struct LatticeSize {
 /// Shifted at random the lattice has no bias [Cranley & Patterson 1976]. Its error falls as 1/lines for the
 /// chords of smooth bodies.
 template <class F>
-Estimate integrate_over_lines(const Bounds& rectangle, const LatticeSize& size, RandomStream& draw,
-                              const F& f) {
+LineIntegral integrate_over_lines(const Bounds& rectangle, const LatticeSize& size, RandomStream& draw,
+                                  const F& f) {
   const Vec2 extent = rectangle.high - rectangle.low;
   const double n = static_cast<double>(size.lines);
   double mean[lattice_shifts], sum = 0, squares = 0;
@@ -62,8 +62,8 @@ Estimate integrate_over_lines(const Bounds& rectangle, const LatticeSize& size, 
 /// guessed from a small lattice whose lines are not used again: to stop where the spread happens to be small
 /// would make the errors too small.
 template <class F>
-Estimate integrate_over_lines(const Bounds& rectangle, double wanted_error, std::int64_t most_lines,
-                              RandomStream& draw, const F& f) {
+LineIntegral integrate_over_lines(const Bounds& rectangle, double wanted_error, std::int64_t most_lines,
+                                  RandomStream& draw, const F& f) {
   LatticeSize size;
   const double found = integrate_over_lines(rectangle, size, draw, f).error;
   const double first = static_cast<double>(size.lines);
