@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supple/core/error.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/experiment/random_surfaces.hpp"
 #include "supple/observe/body_stress.hpp"
@@ -99,6 +100,34 @@ INSTANTIATE_TEST_SUITE_P(Families, JammingIn3D,
                                            Family{"rough_droplets", "rough", 42, spec(0.1, 0, 0.2, 0)},
                                            Family{"smooth_droplets", "smooth", 42, spec(0.1, 0, 0.2, 0)}),
                          [](const auto& i) { return std::string(i.param.name); });
+
+/// Without stiff triangles a droplet bears the tension gamma s0 = 3/2 max(x - x^4) k_v v0^2 = 0.7087.
+TEST(PackingsIn3D, TensionThatNothingBearsIsRefused) {
+  const Case c = case_of({"droplets", "rough", 42, {}});
+  const auto droplets = [](double tension) {
+    return random_surfaces({.count = 2, .shape = spec(0, 0, tension, 0)});
+  };
+  EXPECT_NO_THROW(packing_of(c, droplets(0.70)));
+  try {
+    packing_of(c, droplets(0.72));
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("shrinks to a point"), std::string::npos) << e.what();
+  }
+}
+
+/// docs/decisions/0020.
+TEST(PackingsIn3D, EdgesThatVerticesDoNotCoverAreRefused) {
+  const System<3> thin = random_surfaces({.count = 2, .diameter_ratio = 0.7});
+  EXPECT_NO_THROW(packing_of(case_of({"smooth", "smooth", 42, {}}), thin));
+  EXPECT_THROW(packing_of(case_of({"rough", "rough", 42, {}}), thin), Error);
+}
+
+TEST(PackingsIn3D, SamplesThatCannotBeAreRefused) {
+  EXPECT_THROW(random_surfaces({.count = 0}), Error);
+  EXPECT_THROW(random_surfaces({.vertices = 43}), Error);
+  EXPECT_THROW(random_surfaces({.packing_fraction = 0.8}), Error);
+}
 
 /// A just rigid packing of N spheres without friction has 3N - 2 contacts, rattlers left out [O'Hern 2003].
 TEST(JammedSpheres, AreIsostatic) {
