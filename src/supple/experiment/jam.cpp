@@ -260,9 +260,7 @@ class Search {
   double force_at(double pressure) const {
     double diameter = 0;
     for (const double r : packing_.system.state.radius) diameter += 2 * r / packing_.system.state.size();
-    double force = pressure * packing_.pressure_unit;
-    for (int d = 1; d < Dim; ++d) force *= diameter;
-    return force;
+    return force_by_pressure<Dim>(pressure * packing_.pressure_unit, diameter);
   }
 
   bool accept(const JamPoint<Dim>& p) {

@@ -158,8 +158,8 @@ class Press {
 
   /// How far contacts yield under the force that one particle bears in this stage [length].
   double yield(const Stage& stage) const {
-    const double force =
-        on_area(stage.pressure * spec_.pressure * packing_.pressure_unit, mean_body_diameter());
+    const double force = force_by_pressure<Dim>(stage.pressure * spec_.pressure * packing_.pressure_unit,
+                                                mean_body_diameter());
     const double softest = packing_.field->bodies()->laws().least(
         [&](const BodyLaw& law) { return law.spring(mean_diameter()); });
     return force / (stage.stiffness * softest);
@@ -168,14 +168,8 @@ class Press {
   /// `share` of a typical contact force at the wanted pressure, or the tolerance of the end if that is more.
   ForceTolerance coarse_tolerance(double share) const {
     const ForceTolerance& exact = packing_.tolerance;
-    const double force = on_area(spec_.pressure * packing_.pressure_unit, mean_diameter());
+    const double force = force_by_pressure<Dim>(spec_.pressure * packing_.pressure_unit, mean_diameter());
     return {std::max(exact.relative, share), std::max(exact.least, share * force)};
-  }
-
-  /// What this pressure is on a line (3D: a square) of this length [force].
-  static double on_area(double pressure, double length) {
-    for (int d = 1; d < Dim; ++d) pressure *= length;
-    return pressure;
   }
 
   double mean_body_diameter() const {

@@ -190,14 +190,6 @@ void set_pressure_unit(const Harmonic& law, Packing<Dim>& p) {
   else p.pressure_symbol = law.relative ? "k_c/sigma^3" : "k_c/sigma";
 }
 
-/// A typical force at this pressure on a site of this diameter [force].
-template <int Dim>
-double force_on_site(double pressure, double diameter) {
-  double force = pressure;
-  for (int d = 1; d < Dim; ++d) force *= diameter;
-  return force;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -221,10 +213,11 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   const Jamming wanted = uses(c, "jamming.pressure") ? c.jamming : Jamming{};
   p.contact_pressure = wanted.pressure_kind == "contact";
   p.tolerance.relative = c.minimise.force_tolerance;
-  p.tolerance.least = c.minimise.least_force > 0
-                          ? c.minimise.least_force
-                          : force_on_site<Dim>(c.minimise.force_tolerance * wanted.pressure * p.pressure_unit,
-                                               2 * mean_radius(p.system));
+  p.tolerance.least =
+      c.minimise.least_force > 0
+          ? c.minimise.least_force
+          : force_by_pressure<Dim>(c.minimise.force_tolerance * wanted.pressure * p.pressure_unit,
+                                   2 * mean_radius(p.system));
   p.cell = p.system.box;
   if (!apart) p.covered_area = packing_fraction(p.system, p.outline).total * p.cell.volume();
   return p;

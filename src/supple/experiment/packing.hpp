@@ -89,6 +89,14 @@ ForceField<Dim> make_body_field(const Case& c);
 /// The walls that the case describes.
 WallLaw<2> wall_law(const Case& c);
 
+/// What this pressure is on a line (3D: a square) of this length [force]: of a vertex, or a particle.
+template <int Dim>
+double force_by_pressure(double pressure, double length) {
+  double force = pressure;
+  for (int d = 1; d < Dim; ++d) force *= length;
+  return force;
+}
+
 /// What a search needs to know of a packing at rest. The packing fraction is an estimate: the area covered at
 /// first, times the change of the area of polygons and discs since, over the area of the cell.
 /// covered_fraction() is right and takes longer.
