@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 
+#include "supple/core/rounded_to_float.hpp"
 #include "supple/model/triangle_mesh.hpp"
 
 namespace supple::testing {
@@ -31,7 +32,7 @@ inline void expect_equal(TriangleMesh found, TriangleMesh expected) {
 /// With coordinates that a float holds.
 inline TriangleMesh as_floats(TriangleMesh mesh) {
   for (Vec3& x : mesh.vertex)
-    for (int d = 0; d < 3; ++d) x[d] = static_cast<float>(x[d]);
+    for (int d = 0; d < 3; ++d) x[d] = rounded_to_float(x[d]);
   return mesh;
 }
 

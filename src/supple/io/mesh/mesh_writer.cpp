@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "supple/core/error.hpp"
+#include "supple/core/rounded_to_float.hpp"
 #include "supple/geometry/mesh_fault.hpp"
 #include "supple/io/mesh/mesh_file.hpp"
 #include "supple/io/mesh/mesh_format.hpp"
@@ -84,7 +85,7 @@ TriangleMesh rounded_to_floats(const TriangleMesh& mesh, const std::string& path
     for (int d = 0; d < 3; ++d) {
       if (std::abs(x[d]) > std::numeric_limits<float>::max())
         throw error(fmt::format("a coordinate is {:.6g}", x[d]));
-      x[d] = static_cast<float>(x[d]);
+      x[d] = rounded_to_float(x[d]);
     }
   if (const auto fault = find_fault(out)) throw error("then " + fault->what);
   return out;
