@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
+
+#include "supple/core/vec.hpp"
 
 namespace supple {
 namespace {
@@ -16,16 +19,15 @@ TEST(RoundedToFloat, IsTheDoubleOfTheNearestFloat) {
   EXPECT_EQ(rounded_to_float(1e39), std::numeric_limits<double>::infinity());
 }
 
-/// In a loop, too, where a compiler rounds several at once.
+/// Of every coordinate of a list of points, too, where a compiler rounds several at once.
 TEST(RoundedToFloat, RoundsEveryNumberOfALoop) {
-  std::vector<double> xs;
-  for (int k = 0; k < 100; ++k) xs.push_back(1 + 0.01 * k + 1e-9);
-  std::vector<double> rounded = xs;
-  for (double& x : rounded) x = rounded_to_float(x);
-  for (std::size_t k = 0; k < xs.size(); ++k) {
-    EXPECT_NE(rounded[k], xs[k]);
-    EXPECT_EQ(static_cast<float>(rounded[k]), static_cast<float>(xs[k]));
-  }
+  std::vector<Vec3> points;
+  for (int k = 0; k < 100; ++k) points.push_back({1 + 0.01 * k + 1e-9, 2 + 0.01 * k + 1e-9, 3 + 1e-9});
+  std::vector<Vec3> rounded = points;
+  for (Vec3& x : rounded)
+    for (int d = 0; d < 3; ++d) x[d] = rounded_to_float(x[d]);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (int d = 0; d < 3; ++d) EXPECT_LT(1e-11, std::abs(rounded[k][d] - points[k][d]));
 }
 
 }  // namespace
