@@ -23,7 +23,7 @@ std::string with_error(const RunValue& v) {
   return value_with_error(v.value, v.error) + unit;
 }
 
-int particle_count(const RunInfo& info) {
+int particle_count(const RunInfo<2>& info) {
   const auto& p = info.particle;
   return p.empty() ? 0 : 1 + *std::max_element(p.begin(), p.end());
 }
@@ -33,7 +33,7 @@ struct BodyCounts {
   int bodies = 0, polygons = 0, vertices = 0;
 };
 
-BodyCounts count_bodies(const RunInfo& info) {
+BodyCounts count_bodies(const RunInfo<2>& info) {
   BodyCounts count;
   for (std::size_t b = 0; b + 1 < info.body_begin.size(); ++b) {
     const int sites = info.body_begin[b + 1] - info.body_begin[b];
@@ -64,7 +64,7 @@ struct Contents {
   std::string text;
 };
 
-Contents discs_of(const RunInfo& info) {
+Contents discs_of(const RunInfo<2>& info) {
   const Vec2 cell = info.units.length * 1e6 * info.box.length;
   return {{{"discs", info.radius.size()}, {"particles", particle_count(info)}},
           fmt::format("{} discs in {} particles, cell {:.4g} um x {:.4g} um", info.radius.size(),
@@ -72,7 +72,7 @@ Contents discs_of(const RunInfo& info) {
 }
 
 /// The cell at the last frame, as packings change theirs.
-Contents bodies_of(const RunFile& run, const RunInfo& info) {
+Contents bodies_of(const RunFile& run, const RunInfo<2>& info) {
   const BodyCounts count = count_bodies(info);
   const std::string family = family_of(run);
   Contents contents;
@@ -90,7 +90,7 @@ Contents bodies_of(const RunFile& run, const RunInfo& info) {
 }
 
 Contents contents_of(const RunFile& run) {
-  const RunInfo info = run.info();
+  const RunInfo<2> info = run.info();
   return info.body_begin.empty() ? discs_of(info) : bodies_of(run, info);
 }
 

@@ -14,8 +14,8 @@ namespace supple::study {
 
 struct Panel {
   Canvas& canvas;
-  const RunInfo& info;
-  const Frame& frame;
+  const RunInfo<2>& info;
+  const Frame<2>& frame;
   Outline outline;
   Point corner;  ///< of the box on the page, lower left
   double scale;  ///< points per length

@@ -18,14 +18,14 @@ using study::Panel;
 /// One run, and what became of the heap.
 struct Heap {
   RunFile run;
-  RunInfo info = run.info();
-  Frame before = last_with_wall(), after = run.frame(run.frames() - 1);
+  RunInfo<2> info = run.info();
+  Frame<2> before = last_with_wall(), after = run.frame(run.frames() - 1);
 
   double result(const std::string& name) const { return run.value("results", name); }
 
  private:
   /// The box is wider once its right wall is gone.
-  Frame last_with_wall() const {
+  Frame<2> last_with_wall() const {
     std::int64_t k = run.frames() - 1;
     while (k > 0 && run.frame(k).length[0] > info.box.length[0]) --k;
     return run.frame(k);
@@ -40,9 +40,9 @@ void draw(const Heap& rough, const Heap& smooth, const std::string& path) {
   const double tall = std::max(rough.result("settled_top"), smooth.result("settled_top"));
   const double scale = (page - gap - 20) / (box + reach), row = scale * tall + above + 12;
   Canvas canvas(path, page, 2 * row + 6, 250);
-  const auto panel = [&](const Heap& heap, Outline outline, const Frame& frame, Point corner,
+  const auto panel = [&](const Heap& heap, Outline outline, const Frame<2>& frame, Point corner,
                          const std::string& title) {
-    Frame shown = frame;
+    Frame<2> shown = frame;
     const bool open = frame.length[0] > box;
     shown.length = {open ? reach : box, tall};
     const Panel p{canvas, heap.info, shown, outline, corner, scale};

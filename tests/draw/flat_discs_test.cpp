@@ -75,14 +75,14 @@ TEST(CellScene, DrawsAContactAcrossABoundaryToTheImage) {
 TEST(CellScene, DrawsALongLinkToItsOwnImage) {
   for (const double strain : {0.0, 0.3})
     for (const bool turned : {false, true}) {
-      RunInfo info;
+      RunInfo<2> info;
       info.box = square(strain);
       info.radius = {0.5, 0.5};
       info.particle = {0, 0};
-      Frame frame;
+      Frame<2> frame;
       frame.strain = strain;
       frame.position = turned ? std::vector<Vec2>{{8, 5}, {2, 5}} : std::vector<Vec2>{{2, 5}, {8, 5}};
-      ContactRow link{0, 1, ContactState::permanent, 0, 0, -1, 0.25};
+      ContactRow<2> link{0, 1, ContactState::permanent, 0, 0, -1, 0.25};
       for (const double side : {1., -1.}) {
         link.force = force_on_first(link.normal_force, link.tangential_force, Vec2{turned ? -side : side, 0});
         frame.contacts = {link};

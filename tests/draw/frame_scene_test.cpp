@@ -36,14 +36,14 @@ TEST(FrameScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {
   const CellNumbers cell = cell_numbers(scene_of(body_info(), body_frame(4)));
   EXPECT_DOUBLE_EQ(cell.packing_fraction, 20 / 90.0);
   EXPECT_DOUBLE_EQ(cell.pressure, (10 * 4e-3 + 5 * 2e-3 + 5 * 3e-3) / 90);
-  Frame frame = body_frame(4);
+  Frame<2> frame = body_frame(4);
   frame.body.clear();
   EXPECT_TRUE(std::isnan(cell_numbers(scene_of(body_info(), frame)).packing_fraction));
 }
 
 TEST(FrameScene, DiscsKeepTheirCellTheirSpinAndTheirParticle) {
-  RunInfo info = testing::sample_info(6);
-  Frame frame = testing::sample_frame(6, 3);
+  RunInfo<2> info = testing::sample_info(6);
+  Frame<2> frame = testing::sample_frame(6, 3);
   info.body_begin.clear();
   frame.length = {};
   frame.body.clear();

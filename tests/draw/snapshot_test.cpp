@@ -19,8 +19,8 @@ using testing::count_of;
 
 /// Two crosslinked particles of two discs and a single disc, none near the boundary, in SI.
 struct Sample {
-  RunInfo info;
-  Frame frame;
+  RunInfo<2> info;
+  Frame<2> frame;
 
   Scene scene() const { return scene_of(info, frame); }
 
@@ -98,12 +98,12 @@ TEST_F(SnapshotTest, HatchesAPolygonOnlyWhereAllOfItIsHeld) {
 
 /// Two linked discs that overlap, one alone, and a triangle that touches the second.
 Scene mixed_scene() {
-  RunInfo info;
+  RunInfo<2> info;
   info.box.length = {10, 10};
   info.body_begin = {0, 1, 2, 3, 6};
   info.radius = {0.8, 0.8, 0.8, 0.2, 0.2, 0.2};
   info.particle = {0, 0, 1, 0, 0, 0};
-  Frame frame;
+  Frame<2> frame;
   frame.position = {{3, 5}, {4, 5}, {3, 8}, {5, 5}, {7, 4}, {7, 6}};
   frame.contacts = {{0, 1, ContactState::permanent, 0, 0, 1, 0}, {1, 3, ContactState::stick, 0, 0, 1, 0}};
   return scene_of(info, frame);

@@ -37,7 +37,7 @@ TEST(AdhesivePacking, BearsItsPressureFarBelowThePackingOfParticlesThatPush) {
       EXPECT_LT(end.state.pressure, 1.01e-4);
       EXPECT_LT(covered_fraction(packing), 0.7);
       EXPECT_LT(end.state.energy, 0);
-      const PackingReport report = report_packing(packing);
+      const PackingReport<2> report = report_packing(packing);
       int pulling = 0;
       for (const SiteContact<2>& contact : report.contacts) pulling += contact.normal_force() < 0;
       EXPECT_GT(pulling, 5);

@@ -131,9 +131,9 @@ TEST(BodyShear, WarnsWhereTheStressDoesNotTellTheLoss) {
 
 TEST(BodyShear, LinksAndContactsOfFramesBearTheForcesOfTheirSites) {
   const MemoryRecorder r = result_of(small_gel());
-  const Frame& frame = r.frames[2];
+  const Frame<2>& frame = r.frames[2];
   int links = 0, sticking = 0;
-  for (const ContactRow& row : frame.contacts) {
+  for (const ContactRow<2>& row : frame.contacts) {
     links += row.state == ContactState::permanent;
     sticking += row.state == ContactState::stick;
     EXPECT_NEAR(norm(row.force), std::hypot(row.normal_force, row.tangential_force), 1e-12);

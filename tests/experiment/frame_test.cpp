@@ -14,9 +14,9 @@ namespace {
 using namespace supple::testing;
 
 /// Each row's force on its second site, along the line of the two (rough contacts).
-std::vector<Vec2> forces_of_rows(const System<2>& system, const Frame& frame) {
+std::vector<Vec2> forces_of_rows(const System<2>& system, const Frame<2>& frame) {
   std::vector<Vec2> force(frame.position.size());
-  for (const ContactRow& row : frame.contacts) {
+  for (const ContactRow<2>& row : frame.contacts) {
     const Vec2 r = system.box.displacement(frame.position[row.first], frame.position[row.second]);
     const Vec2 push = (row.normal_force / norm(r)) * r;
     force[row.first] -= push;
@@ -25,7 +25,7 @@ std::vector<Vec2> forces_of_rows(const System<2>& system, const Frame& frame) {
   return force;
 }
 
-void expect_ascending(const std::vector<ContactRow>& rows) {
+void expect_ascending(const std::vector<ContactRow<2>>& rows) {
   for (std::size_t k = 1; k < rows.size(); ++k)
     EXPECT_LT(std::pair(rows[k - 1].first, rows[k - 1].second), std::pair(rows[k].first, rows[k].second));
 }
@@ -38,7 +38,7 @@ TEST(Frame, OfPolygons) {
   ForceField<2> field(RoughContacts<2>(Harmonic{3, true}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   EXPECT_EQ(frame.step, 7);
   EXPECT_EQ(frame.time, 0.5);
   EXPECT_EQ(frame.strain, system.box.strain);
@@ -48,7 +48,7 @@ TEST(Frame, OfPolygons) {
   EXPECT_EQ(frame.force, evaluation.force);
   ASSERT_GT(frame.contacts.size(), 9u);
   for (std::size_t k = 0; k < frame.contacts.size(); ++k) {
-    const ContactRow& row = frame.contacts[k];
+    const ContactRow<2>& row = frame.contacts[k];
     EXPECT_LT(row.first, row.second);
     EXPECT_EQ(row.state, ContactState::slip);
     EXPECT_EQ(row.tangential_force, 0);
@@ -63,7 +63,7 @@ TEST(Frame, RowsOfSmoothContactsAscend) {
   ForceField<2> field(SmoothContacts(Harmonic{}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_GT(frame.contacts.size(), 9u);
   expect_ascending(frame.contacts);
 }
@@ -78,7 +78,7 @@ TEST(Frame, CornersHeadOnAreOneRow) {
   ForceField<2> field(SmoothContacts(Harmonic{3, false}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_EQ(frame.contacts.size(), 1u);
   EXPECT_EQ(frame.contacts[0].first, 2);
   EXPECT_EQ(frame.contacts[0].second, 4);
@@ -89,7 +89,7 @@ TEST(Frame, CornersHeadOnAreOneRow) {
 TEST(Frame, RunInfoSaysWhichSitesFormABody) {
   System<2> bodies = random_polygons();
   add_disc_body(bodies, {1, 1}, 1);
-  const RunInfo info = make_run_info(bodies, reduced_units());
+  const RunInfo<2> info = make_run_info(bodies, reduced_units());
   EXPECT_EQ(info.body_begin, bodies.topology.begin);
   EXPECT_EQ(info.particle, bodies_of_sites(bodies.topology, bodies.state.size()));
   EXPECT_EQ(info.particle.back(), 9);

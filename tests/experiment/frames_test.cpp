@@ -63,11 +63,11 @@ TEST(Frames, OfDynamicsAreAsManyAsAskedAndEndWithTheLastInstant) {
 /// Contacts: parts add up to the force of each disc; stresses of discs add up to that of all contacts.
 TEST(Frames, OfDiscsHoldForcesStressesAndEnergiesThatAddUp) {
   const MemoryRecorder r = recorded(dynamics(40, "frames = 3\n"));
-  const RunInfo& info = r.info;
-  for (const Frame& f : r.frames) {
+  const RunInfo<2>& info = r.info;
+  for (const Frame<2>& f : r.frames) {
     std::vector<Vec2> force(f.position.size());
     double largest = 0;
-    for (const ContactRow& c : f.contacts) {
+    for (const ContactRow<2>& c : f.contacts) {
       force[static_cast<std::size_t>(c.first)] += c.force;
       force[static_cast<std::size_t>(c.second)] += -1 * c.force;
       EXPECT_EQ(c.normal_force, c.elastic + c.viscous);

@@ -123,7 +123,7 @@ TEST_P(JammingOf, HasTheStressOfItsEnergy) {
   for (std::size_t i = 0; i < s.state.position.size(); ++i)
     for (int d = 0; d < 2; ++d) s.state.position[i][d] += 0.03 * s.state.radius[i] * draw.uniform(-1, 1);
   place_sites(s);  // rigid bodies stay: their stress is symmetric only where no torque acts
-  const PackingReport r = report_packing(packing);
+  const PackingReport<2> r = report_packing(packing);
   const double area = packing.system.box.volume();
   const Mat2 stress = r.stresses.virial();
   const double scale = pressure(stress);

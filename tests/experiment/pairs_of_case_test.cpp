@@ -167,7 +167,7 @@ TEST(PairsOfCase, StressOfAJammedMixtureIsTheSlopeOfItsEnergy) {
     const JamProgress<2> end = jam(packing, jam_spec(c));
     EXPECT_TRUE(end.last.converged);
     EXPECT_NEAR(end.state.pressure, 2e-2, 2.1e-4);
-    const PackingReport report = report_packing(packing);
+    const PackingReport<2> report = report_packing(packing);
     const auto energy_at = [&](double strain) {
       Packing<2> moved = packing;
       for (Vec2& x : moved.system.state.position) x[0] += strain * x[1];

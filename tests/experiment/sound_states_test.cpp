@@ -168,7 +168,7 @@ TEST(SoundStates, ParticlesThatBearLoadAreNoRattlers) {
     c.jamming.packing_fraction = 0.6;
     Packing<2> packing = make_packing(c, nullptr, c.jamming.packing_fraction);
     jam(packing, jam_spec(c));
-    const PackingReport r = report_packing(packing);
+    const PackingReport<2> r = report_packing(packing);
     std::vector<double> load(r.rattlers.size());
     double mean = 0;
     for (const SiteContact<2>& contact : r.contacts) {

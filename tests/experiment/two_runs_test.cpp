@@ -76,7 +76,7 @@ Bits bits_of(const MemoryRecorder& r) {
     for (const auto& v : values)
       if (v.name.name != "cpu_time") add(v.value), add(v.error);
   for (const Vec2& x : r.last_system.state.position) add(x[0]), add(x[1]);
-  for (const Frame& frame : r.frames)
+  for (const Frame<2>& frame : r.frames)
     for (const Vec2& f : frame.force) add(f[0]), add(f[1]);
   return bits;
 }

@@ -103,7 +103,7 @@ std::string outcome(const Case& c) {
       for (const auto& v : values)
         if (group != protocol_group && v.name.name != "cpu_time")
           text += fmt::format("{} {} {}\n", v.name.name, v.value, v.error);
-    for (const Frame& f : r.frames) text += fmt::format("frame {}\n", f.time);
+    for (const Frame<2>& f : r.frames) text += fmt::format("frame {}\n", f.time);
     for (const Vec2& x : r.last_system.state.position) text += fmt::format("{} {} ", x[0], x[1]);
     for (const Vec2& v : r.last_system.state.velocity) text += fmt::format("{} {} ", v[0], v[1]);
     return text + fmt::format("{}", r.last_system.box.strain);

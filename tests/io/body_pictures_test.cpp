@@ -20,11 +20,11 @@ class BodyPictures : public testing::TemporaryFolder {
  protected:
   RunFile run_of(const std::string& experiment, int frames = 3, bool walls = false) {
     FileRecorder recorder(in_folder("run.h5"), testing::body_case(experiment), "", Existing::replace);
-    RunInfo info = testing::body_info();
+    RunInfo<2> info = testing::body_info();
     if (walls) info.box.periodic = {false, false};
     recorder.begin(info);
     for (int k = 0; k < frames; ++k) {
-      Frame frame = testing::body_frame(k);
+      Frame<2> frame = testing::body_frame(k);
       if (experiment == "slump" && k > 0) frame.length = {30, 10};
       recorder.frame(frame);
     }
@@ -73,7 +73,7 @@ TEST_F(BodyPictures, TheTitleOfACompressionIsTheStrainOfItsFrame) {
   FileRecorder recorder(in_folder("run.h5"), testing::body_case("uniaxial_compression"), "");
   recorder.begin(testing::body_info());
   for (int k = 0; k < 2; ++k) {
-    Frame frame = testing::body_frame(0);
+    Frame<2> frame = testing::body_frame(0);
     frame.step = k;
     frame.time = 0;  // nothing moves
     frame.numbers["uniaxial_strain"] = 0.1 * k;

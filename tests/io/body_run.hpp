@@ -10,8 +10,8 @@
 namespace supple::testing {
 
 /// A square, a disc and a triangle that touches both.
-inline RunInfo body_info() {
-  RunInfo info;
+inline RunInfo<2> body_info() {
+  RunInfo<2> info;
   info.units = reduced_units();
   info.box.length = {10, 10};
   info.body_begin = {0, 4, 5, 8};
@@ -23,8 +23,8 @@ inline RunInfo body_info() {
 }
 
 /// Frame k: everything is k/10 further to the right, in a cell lower by k/4.
-inline Frame body_frame(int k) {
-  Frame frame;
+inline Frame<2> body_frame(int k) {
+  Frame<2> frame;
   frame.step = k;
   frame.time = 0.25 * k;
   frame.length = {10, 10 - 0.25 * k};

@@ -48,9 +48,9 @@ std::string table_name(std::string name) {
 }
 
 /// A row of the package's trajectory as the frame of a run in the package's units.
-Frame frame_of(const std::map<std::string, std::string>& row, int discs) {
+Frame<2> frame_of(const std::map<std::string, std::string>& row, int discs) {
   const auto number = [&](const std::string& name) { return std::stod(row.at(name)); };
-  Frame f;
+  Frame<2> f;
   f.step = std::stol(row.at("step"));
   f.time = number("t");
   f.strain = number("shear");
@@ -98,7 +98,7 @@ TEST_F(CsvTest, ATrajectoryOfThePackageComesBackAsItWas) {
   Case c;
   c.general.experiment = "dynamics";
   FileRecorder to(in_folder("run.h5"), c, "");
-  RunInfo info = sample_info(discs);
+  RunInfo<2> info = sample_info(discs);
   info.body_begin.clear();
   info.units = particleshear_units();
   to.begin(info);
@@ -137,7 +137,7 @@ TEST_F(CsvTest, ATrajectoryOfARunInSIIsInMicrometres) {
   Case c;
   c.general.experiment = "dynamics";
   FileRecorder to(in_folder("run.h5"), c, "");
-  RunInfo info = sample_info(1);
+  RunInfo<2> info = sample_info(1);
   info.body_begin.clear();
   info.units = si_units();
   to.begin(info);
@@ -147,7 +147,7 @@ TEST_F(CsvTest, ATrajectoryOfARunInSIIsInMicrometres) {
                         {"pair_register", "", ""},
                         {"external_register", "", ""}});
   to.append("stress", std::vector<double>{0.5, 3, 4, 8, 4});
-  Frame f = sample_frame(1, 0);
+  Frame<2> f = sample_frame(1, 0);
   f.time = 0.5;
   f.position = {{2e-6, 3e-6}};
   f.velocity = {{4e-6, 5e-6}};
@@ -189,7 +189,7 @@ TEST_F(CsvTest, ContactsAreInSIWithTheirParts) {
   FileRecorder to(in_folder("run.h5"), Case{}, "");
   to.begin(sample_info(3));
   to.declare("stress", {{"t", "s", ""}});
-  Frame f = sample_frame(3, 0);
+  Frame<2> f = sample_frame(3, 0);
   f.time = 0.5;
   f.contacts = {{0, 2, ContactState::slip, 2, 0, 5, 0.25, 4, 1, {3, -2}}};
   to.frame(f);

@@ -14,7 +14,7 @@ class ImagesTest : public testing::TemporaryFolder {
  protected:
   /// Two discs, in a cell whose strain grows by so much with each frame.
   RunFile two_discs(int frames, double strain = 0) {
-    RunInfo info;
+    RunInfo<2> info;
     info.box.length = {1e-4, 1e-4};
     info.radius = {1e-5, 1e-5};
     info.mass = info.inertia = {1, 1};
@@ -22,7 +22,7 @@ class ImagesTest : public testing::TemporaryFolder {
     FileRecorder recorder(in_folder("run.h5"), Case{}, "", Existing::replace);
     recorder.begin(info);
     for (int k = 0; k < frames; ++k) {
-      Frame frame;
+      Frame<2> frame;
       frame.step = k;
       frame.time = k;
       frame.strain = strain * k;

@@ -55,10 +55,10 @@ TEST_F(OtherPrograms, AseReadsExtendedXyz) {
     ASSERT_EQ(read.code, 0) << read.err;
     const Json frames = Json::parse(read.out);
     const RunFile file = run(name + ".h5");
-    const RunInfo info = file.info();
+    const RunInfo<2> info = file.info();
     ASSERT_EQ(static_cast<std::int64_t>(frames.size()), file.frames());
     for (std::int64_t k = 0; k < file.frames(); ++k) {
-      const Frame frame = file.frame(k);
+      const Frame<2> frame = file.frame(k);
       const Scene scene = scene_of(info, frame);
       const Vec2 x = frame.position[0] + placement_shifts(scene, Placement::in_cell)[0];
       const Json& f = frames[static_cast<std::size_t>(k)];
@@ -80,7 +80,7 @@ TEST_F(OtherPrograms, VtkReadsEveryFrameWithItsTimeAndAreas) {
   make_jam();
   ASSERT_EQ(supple("export jam.h5 --to vtp --cells triangles").code, 0);
   const RunFile file = run("jam.h5");
-  const Frame frame = file.frame(0);
+  const Frame<2> frame = file.frame(0);
   const Outcome read =
       shell("/usr/bin/python3 " SUPPLE_SOURCE_DIR "/tests/io/read_vtp.py jam_frames/frame0000000.vtp");
   ASSERT_EQ(read.code, 0) << read.err;

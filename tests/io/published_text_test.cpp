@@ -93,7 +93,7 @@ void record_table(Recorder& to) {
 
 /// A run with the numbers of the sample.
 void record_sample_text(Recorder& to) {
-  RunInfo info;
+  RunInfo<2> info;
   info.units = particleshear_units();
   info.box.length = {500, 500};
   info.radius.assign(16, 60);

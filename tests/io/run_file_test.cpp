@@ -52,7 +52,7 @@ void expect_sample(const RunFile& run, int seen) {
   EXPECT_EQ(c.particles.permanent_links, false);
   EXPECT_EQ(c.shear.rate, "sin(t)");
 
-  const RunInfo info = run.info(), expected = sample_info(discs);
+  const RunInfo<2> info = run.info(), expected = sample_info(discs);
   EXPECT_EQ(info.units.name, "um mg s");
   EXPECT_EQ(info.units.length, 1e-6);
   EXPECT_EQ(info.box.length, expected.box.length);
@@ -229,11 +229,11 @@ TEST_F(RunFileTest, ErrorsTellWhatIsWrongWithAFile) {
 TEST_F(RunFileTest, FramesWithoutBodiesHaveTheCellOfTheRun) {
   for (const FlushSpec flush : {FlushSpec{}, always}) {
     FileRecorder to = recorder(flush, Existing::replace);
-    RunInfo info = sample_info(discs);
+    RunInfo<2> info = sample_info(discs);
     info.body_begin.clear();
     to.begin(info);
     for (int k = 0; k < 3; ++k) {
-      Frame frame = sample_frame(discs, k);
+      Frame<2> frame = sample_frame(discs, k);
       frame.length = {};
       frame.body.clear();
       to.frame(frame);
@@ -252,7 +252,7 @@ TEST_F(RunFileTest, AllFramesHaveTheSameNumbersOfBodies) {
   FileRecorder to = recorder(always);
   to.begin(sample_info(discs));
   to.frame(sample_frame(discs, 0));
-  Frame other = sample_frame(discs, 1);
+  Frame<2> other = sample_frame(discs, 1);
   other.body["more"] = {1, 2};
   EXPECT_THROW(to.frame(other), Error);
   other.body.erase("more");
@@ -266,7 +266,7 @@ TEST_F(RunFileTest, AllFramesHaveTheSameNumbersOfBodies) {
 /// A run in reduced units has numbers without units.
 TEST_F(RunFileTest, ReducedUnitsHaveNoNames) {
   FileRecorder to = recorder();
-  RunInfo info = sample_info(discs);
+  RunInfo<2> info = sample_info(discs);
   info.units = reduced_units();
   to.begin(info);
   to.frame(sample_frame(discs, 0));

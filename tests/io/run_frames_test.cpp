@@ -18,10 +18,10 @@ constexpr int discs = 5;
 class RunFrames : public testing::TemporaryFolder {
  protected:
   /// The run of these frames, all in one segment or each in one of its own.
-  RunFile run_of(const std::vector<Frame>& frames, FlushSpec flush) {
+  RunFile run_of(const std::vector<Frame<2>>& frames, FlushSpec flush) {
     FileRecorder to(in_folder("run.h5"), Case{}, "", Existing::replace, flush);
     to.begin(testing::sample_info(discs));
-    for (const Frame& frame : frames) to.frame(frame);
+    for (const Frame<2>& frame : frames) to.frame(frame);
     to.finish("complete");
     return RunFile(in_folder("run.h5"));
   }
@@ -31,7 +31,7 @@ const FlushSpec one_segment{}, many_segments{0, 1};
 
 /// A frame handed over again, at the end of a phase and the start of the next, say.
 TEST_F(RunFrames, OfOneInstantAreOne) {
-  Frame moved = sample_frame(discs, 2);
+  Frame<2> moved = sample_frame(discs, 2);
   moved.position[3][0] += 1e-9;
   for (const FlushSpec& flush : {one_segment, many_segments}) {
     const RunFile run =
@@ -43,7 +43,7 @@ TEST_F(RunFrames, OfOneInstantAreOne) {
 }
 
 TEST_F(RunFrames, HaveTheNumbersOfAllThatTheFirstOneHas) {
-  Frame later = sample_frame(discs, 2);
+  Frame<2> later = sample_frame(discs, 2);
   later.numbers = {{"pressure", 7}, {"volume", 8}};
   for (const FlushSpec& flush : {one_segment, many_segments}) {
     const RunFile run = run_of({sample_frame(discs, 1), later}, flush);

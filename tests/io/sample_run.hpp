@@ -8,8 +8,8 @@
 
 namespace supple::testing {
 
-inline RunInfo sample_info(int discs) {
-  RunInfo info;
+inline RunInfo<2> sample_info(int discs) {
+  RunInfo<2> info;
   info.units = particleshear_units();
   info.box.length = {500, 400};
   info.box.periodic = {true, false};
@@ -24,8 +24,8 @@ inline RunInfo sample_info(int discs) {
   return info;
 }
 
-inline Frame sample_frame(int discs, int k) {
-  Frame frame;
+inline Frame<2> sample_frame(int discs, int k) {
+  Frame<2> frame;
   frame.step = 10 * k;
   frame.time = 0.1 * k;
   frame.strain = std::sin(k);
@@ -142,7 +142,7 @@ inline void record_sample(Recorder& recorder, int discs, int steps) {
   }
   recorder.value("results", {"storage_modulus", "Pa", "G'"}, 565, 17);
   recorder.warning("the last warning");
-  recorder.final_state(sample_system(discs), sample_evaluation(discs));
+  recorder.final_state(Instant<2>{sample_system(discs), sample_evaluation(discs)});
 }
 
 }  // namespace supple::testing

@@ -25,7 +25,7 @@ class Trajectory : public testing::TemporaryFolder {
     FileRecorder recorder(in_folder("run.h5"), testing::body_case("slump"), "", Existing::replace);
     recorder.begin(testing::body_info());
     for (std::size_t k = 0; k < times.size(); ++k) {
-      Frame frame = testing::body_frame(static_cast<int>(k));
+      Frame<2> frame = testing::body_frame(static_cast<int>(k));
       frame.time = times[k];
       for (int i = 0; i < 4; ++i) frame.position[i][0] += 10;
       frame.numbers["kinetic_energy"] = 0.125 * (1.0 + static_cast<double>(k));

@@ -58,7 +58,7 @@ struct NetworkChange {
   double rearranged() const { return displacement > 0.1 && lost + made > 0; }
 };
 
-Snapshot take_snapshot(const Packing<2>& packing, const PackingReport& report) {
+Snapshot take_snapshot(const Packing<2>& packing, const PackingReport<2>& report) {
   Snapshot s{{}, report.rattlers, report.shapes.centre, packing.system.box};
   for (const ContactNetwork::Pair& p : report.network.pairs)
     if (!report.rattlers[p.first] && !report.rattlers[p.second]) s.pairs.push_back(p);
@@ -97,14 +97,14 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
 enum class Branch { compression = 1, decompression = -1 };
 
 /// A pressure of the list, reached.
-struct Place : PackingInstant {
+struct Place : PackingInstant<2> {
   Branch branch;
   NetworkChange change;
 };
 
 Observables<Place> place_observables(const Packing<2>& packing) {
   using P = Place;
-  Observables<P> all = packing_observables(packing.pressure_symbol);
+  Observables<P> all = packing_observables<2>(packing.pressure_symbol);
   all.add({{{"branch", "", "1: compression, -1: decompression"},
             [](const P& p) { return static_cast<double>(p.branch); }},
            {{"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"},
@@ -226,7 +226,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     reached.minimisations += walk.last.minimisations;
     reached.unconverged += walk.last.unconverged;
     walk.last = reached;
-    const PackingReport report = report_packing(packing);
+    const PackingReport<2> report = report_packing(packing);
     Snapshot now = take_snapshot(packing, report);
     const Place place{{packing, report, walk.last}, branch, compare(walk.before, now)};
     observables.append("packing", place, recorder);

@@ -14,12 +14,20 @@ namespace supple {
 
 namespace {
 
-constexpr const char* components[2][2] = {{"_xx", "_xy"}, {"_yx", "_yy"}};
+constexpr char axes[] = {'x', 'y', 'z'};
+
+/// visit("_xy", i, j) for each component of a tensor.
+template <int Dim, class Visit>
+void for_each_component(Visit&& visit) {
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) visit(std::string{'_', axes[i], axes[j]}, i, j);
+}
 
 /// All but the contacts and the numbers of bodies.
-Frame frame_of_sites(const System<2>& system, const Evaluation<2>& evaluation) {
-  const State<2>& s = system.state;
-  Frame frame;
+template <int Dim>
+Frame<Dim> frame_of_sites(const System<Dim>& system, const Evaluation<Dim>& evaluation) {
+  const State<Dim>& s = system.state;
+  Frame<Dim> frame;
   frame.step = system.step;
   frame.time = system.time;
   frame.strain = system.box.strain;
@@ -36,7 +44,8 @@ Frame frame_of_sites(const System<2>& system, const Evaluation<2>& evaluation) {
 }
 
 /// Two corners that meet head on act on each other's edges: one contact.
-void join(ContactRow& row, const ContactRow& other) {
+template <int Dim>
+void join(ContactRow<Dim>& row, const ContactRow<Dim>& other) {
   row.normal_force += other.normal_force;
   row.tangential_force += other.tangential_force;
   row.elastic += other.elastic;
@@ -46,9 +55,9 @@ void join(ContactRow& row, const ContactRow& other) {
 
 }  // namespace
 
-Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
+Frame<2> make_frame(const System<2>& system, const Evaluation<2>& evaluation) {
   const PairTable& pairs = system.pairs;
-  Frame frame = frame_of_sites(system, evaluation);
+  Frame<2> frame = frame_of_sites(system, evaluation);
   std::vector<Mat2> stress(system.state.position.size());
   const auto add_to_discs = [&](const PairForce<2>& p, std::int32_t i, std::int32_t j) {
     const Vec2 force = force_on_first(p), from_second = -p.distance * p.normal;
@@ -81,7 +90,7 @@ class Rubbing {
   }
 
   /// Adds it to the row of a contact between a site and another one of that body.
-  void add_to(ContactRow& row, const SiteContact<2>& c) const {
+  void add_to(ContactRow<2>& row, const SiteContact<2>& c) const {
     for (const auto& [on, other] :
          {std::pair(TouchOn::site, c.other), std::pair(TouchOn::body, c.other_body)}) {
       const auto touch = touch_.find({c.site, on, other});
@@ -108,7 +117,8 @@ class Rubbing {
   std::map<Name, const TouchForce*> force_;
 };
 
-void append_links(const System<2>& system, const Evaluation<2>& evaluation, std::vector<ContactRow>& rows) {
+void append_links(const System<2>& system, const Evaluation<2>& evaluation,
+                  std::vector<ContactRow<2>>& rows) {
   for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
     const Link& link = system.links[k];
     const LinkForce& f = evaluation.link_force[k];
@@ -120,20 +130,27 @@ void append_links(const System<2>& system, const Evaluation<2>& evaluation, std:
   }
 }
 
+/// What friction and viscosity add to the rows, one for each of these contacts, and the rows of links.
+void add_what_rubs(const System<2>& system, const Evaluation<2>& evaluation,
+                   const std::vector<SiteContact<2>>& contacts, std::vector<ContactRow<2>>& rows) {
+  const Rubbing rubbing(evaluation);
+  for (std::size_t k = 0; k < contacts.size(); ++k) rubbing.add_to(rows[k], contacts[k]);
+  append_links(system, evaluation, rows);
+}
+
 }  // namespace
 
-Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
-                 const std::vector<ContactRecord<2>>& records, const ContactLaws& laws) {
-  Frame frame = frame_of_sites(system, evaluation);
-  std::vector<ContactRow>& rows = frame.contacts;
-  const Rubbing rubbing(evaluation);
-  for (const SiteContact<2>& c : site_contacts(system, records, laws)) {
+template <int Dim>
+Frame<Dim> make_frame(const System<Dim>& system, const Evaluation<Dim>& evaluation,
+                      const std::vector<ContactRecord<Dim>>& records, const ContactLaws& laws) {
+  Frame<Dim> frame = frame_of_sites(system, evaluation);
+  std::vector<ContactRow<Dim>>& rows = frame.contacts;
+  const std::vector<SiteContact<Dim>> contacts = site_contacts(system, records, laws);
+  for (const SiteContact<Dim>& c : contacts)
     rows.push_back({std::min(c.site, c.other), std::max(c.site, c.other), ContactState::slip, 0, 0,
                     c.normal_force(), 0, c.normal_force(), 0, c.site < c.other ? c.force : -1 * c.force});
-    rubbing.add_to(rows.back(), c);
-  }
-  append_links(system, evaluation, rows);
-  const auto pair = [](const ContactRow& row) { return std::pair(row.first, row.second); };
+  if constexpr (Dim == 2) add_what_rubs(system, evaluation, contacts, rows);
+  const auto pair = [](const ContactRow<Dim>& row) { return std::pair(row.first, row.second); };
   std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return pair(a) < pair(b); });
   std::size_t kept = 0;
   for (std::size_t k = 1; k < rows.size(); ++k)
@@ -143,28 +160,49 @@ Frame make_frame(const System<2>& system, const Evaluation<2>& evaluation,
   return frame;
 }
 
-void add_stresses(BodyNumbers& numbers, const std::vector<Mat2>& stress) {
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      for (const Mat2& s : stress) numbers[std::string("stress") + components[i][j]].push_back(s[i][j]);
+template <int Dim>
+void add_stresses(BodyNumbers& numbers, const std::vector<Mat<Dim>>& stress) {
+  for_each_component<Dim>([&](const std::string& component, int i, int j) {
+    for (const Mat<Dim>& s : stress) numbers["stress" + component].push_back(s[i][j]);
+  });
 }
 
-void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat2& tensor) {
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) numbers[name + components[i][j]] = tensor[i][j];
+template <int Dim>
+void add_tensor(SystemNumbers& numbers, const std::string& name, const Mat<Dim>& tensor) {
+  for_each_component<Dim>(
+      [&](const std::string& component, int i, int j) { numbers[name + component] = tensor[i][j]; });
 }
 
-RunInfo make_run_info(const System<2>& system, const Units& units) {
-  const State<2>& s = system.state;
-  const std::vector<std::int32_t>& begin = system.topology.begin;
-  return {
-      units,
-      system.box,
-      s.radius,
-      s.mass,
-      s.inertia,
-      begin.empty() ? connected_particles(system, LinkKind::all) : bodies_of_sites(system.topology, s.size()),
-      begin};
+namespace {
+
+/// The particle of each site: crosslinked particle of a disc, body of a vertex.
+template <int Dim>
+std::vector<std::int32_t> particles_of(const System<Dim>& system) {
+  if constexpr (Dim == 2)
+    if (system.topology.begin.empty()) return connected_particles(system, LinkKind::all);
+  return bodies_of_sites(system.topology, system.state.size());
 }
+
+}  // namespace
+
+template <int Dim>
+RunInfo<Dim> make_run_info(const System<Dim>& system, const Units& units) {
+  const State<Dim>& s = system.state;
+  RunInfo<Dim> info{
+      units, system.box, s.radius, s.mass, s.inertia, particles_of(system), system.topology.begin, {}};
+  if constexpr (Dim == 3) info.facet = system.topology.facet;
+  return info;
+}
+
+template Frame<2> make_frame(const System<2>&, const Evaluation<2>&, const std::vector<ContactRecord<2>>&,
+                             const ContactLaws&);
+template void add_stresses<2>(BodyNumbers&, const std::vector<Mat2>&);
+template void add_tensor<2>(SystemNumbers&, const std::string&, const Mat2&);
+template RunInfo<2> make_run_info(const System<2>&, const Units&);
+template Frame<3> make_frame(const System<3>&, const Evaluation<3>&, const std::vector<ContactRecord<3>>&,
+                             const ContactLaws&);
+template void add_stresses<3>(BodyNumbers&, const std::vector<Mat<3>>&);
+template void add_tensor<3>(SystemNumbers&, const std::string&, const Mat<3>&);
+template RunInfo<3> make_run_info(const System<3>&, const Units&);
 
 }  // namespace supple

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/force/shape_terms.hpp"
 #include "supple/model/body_links.hpp"
 #include "supple/observe/rattlers.hpp"
 #include "supple/observe/summary.hpp"
@@ -15,17 +17,20 @@ namespace supple {
 namespace {
 
 /// Stress of each body on its covered area, and the pressure that it means.
-void add_body_stresses(Frame& frame, const Packing<2>& packing, const PackingReport& r) {
-  std::vector<Mat2> stresses = r.stresses.of_bodies(r.fraction.volume);
-  for (Mat2& stress : stresses) {
+template <int Dim>
+void add_body_stresses(Frame<Dim>& frame, const Packing<Dim>& packing, const PackingReport<Dim>& r) {
+  std::vector<Mat<Dim>> stresses = r.stresses.of_bodies(r.fraction.volume);
+  for (Mat<Dim>& stress : stresses) {
     stress = (1 / packing.pressure_unit) * stress;
     frame.body["pressure"].push_back(pressure(stress));
   }
-  add_stresses(frame.body, stresses);
+  add_stresses<Dim>(frame.body, stresses);
 }
 
 /// Energies of the whole by term and, where the particles fill a cell, its stress and that of the contacts.
-void add_numbers(Frame& frame, const Packing<2>& packing, const PackingReport& r, Surroundings surroundings) {
+template <int Dim>
+void add_numbers(Frame<Dim>& frame, const Packing<Dim>& packing, const PackingReport<Dim>& r,
+                 Surroundings surroundings) {
   const EnergyParts& e = r.evaluation.energy;
   frame.numbers = {{"kinetic_energy", kinetic_energy(packing.system, r.evaluation).total()},
                    {"shape_energy", e.terms},
@@ -33,12 +38,12 @@ void add_numbers(Frame& frame, const Packing<2>& packing, const PackingReport& r
                    {"wall_energy", e.wall},
                    {"external_energy", e.external}};
   if (surroundings == Surroundings::open) return;
-  const Mat2 total = (1 / packing.pressure_unit) * r.stresses.total(),
-             contact = (1 / packing.pressure_unit) * r.stresses.contact;
+  const Mat<Dim> total = (1 / packing.pressure_unit) * r.stresses.total(),
+                 contact = (1 / packing.pressure_unit) * r.stresses.contact;
   frame.numbers["packing_fraction"] = r.fraction.total;
   frame.numbers["pressure"] = pressure(total);
-  add_tensor(frame.numbers, "stress", total);
-  add_tensor(frame.numbers, "contact_stress", contact);
+  add_tensor<Dim>(frame.numbers, "stress", total);
+  add_tensor<Dim>(frame.numbers, "contact_stress", contact);
 }
 
 template <class T>
@@ -46,7 +51,8 @@ std::vector<double> as_numbers(const std::vector<T>& values) {
   return {values.begin(), values.end()};
 }
 
-void warn(const PackingReport& r, const JamProgress<2>& progress, Recorder& recorder) {
+template <int Dim>
+void warn(const PackingReport<Dim>& r, const JamProgress<Dim>& progress, Recorder& recorder) {
   if (!r.soundness.sound())
     recorder.warning(
         fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
@@ -59,18 +65,25 @@ void warn(const PackingReport& r, const JamProgress<2>& progress, Recorder& reco
 
 }  // namespace
 
-std::vector<Derived> derived_packing(const Packing<2>& packing) {
-  const System<2>& s = packing.system;
-  return {
+template <int Dim>
+std::vector<Derived> derived_packing(const Packing<Dim>& packing) {
+  const System<Dim>& s = packing.system;
+  std::vector<Derived> all{
       {{"bodies", "", "particles"}, static_cast<double>(s.topology.body_count(s.state.size()))},
-      {{"sites", "", "vertices and discs"}, static_cast<double>(s.state.size())},
+      {{"sites", "", Dim == 2 ? "vertices and discs" : "vertices and spheres"},
+       static_cast<double>(s.state.size())},
       {{"cell_width", "", "width of the cell at the start"}, packing.cell.length[flow]},
-      {{"cell_height", "", "height of the cell at the start"}, packing.cell.length[gradient]},
-      {{"start_fraction", "", "packing fraction at the start"}, packing.covered_area / packing.cell.volume()},
-      {{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit}};
+      {{"cell_height", "", "height of the cell at the start"}, packing.cell.length[gradient]}};
+  if constexpr (Dim == 3)
+    all.push_back({{"cell_depth", "", "depth of the cell at the start"}, packing.cell.length[vorticity]});
+  all.push_back({{"start_fraction", "", "packing fraction at the start"},
+                 packing.covered_area / packing.cell.volume()});
+  all.push_back({{"pressure_unit", "", "unit of pressures, in units of the run"}, packing.pressure_unit});
+  return all;
 }
 
-std::vector<Derived> derived_equilibria(const Packing<2>& packing) {
+template <int Dim>
+std::vector<Derived> derived_equilibria(const Packing<Dim>& packing) {
   std::vector<Derived> all = derived_packing(packing);
   all.push_back({{"force_tolerance", "mean contact force", "largest net force in equilibrium"},
                  packing.tolerance.relative});
@@ -79,7 +92,8 @@ std::vector<Derived> derived_equilibria(const Packing<2>& packing) {
   return all;
 }
 
-void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, Recorder& recorder) {
+template <int Dim>
+void begin_packing(Packing<Dim>& packing, const std::vector<Derived>& constants, Recorder& recorder) {
   packing.minimise.stop_requested = [&recorder] { return recorder.stop_requested(); };
   if (recorder.began()) return;
   recorder.begin(make_run_info(packing.system, reduced_units()));
@@ -94,31 +108,36 @@ void begin_packing(Packing<2>& packing, const std::vector<Derived>& constants, R
 namespace {
 
 /// Links are contacts too where neighbours are counted.
-std::vector<SiteContact<2>> with_links(std::vector<SiteContact<2>> contacts, const System<2>& system,
-                                       const Evaluation<2>& evaluation) {
-  const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
-  for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
-    const Link& link = system.links[k];
-    const Vec2 shift = system.box.lattice().vector({1.0 * link.cells[0], 1.0 * link.cells[1]});
-    Vec2 n = link_vector(system, link);
-    if (const double d = norm(n); d > 0) n = (1 / d) * n;
-    contacts.push_back({link.second, link.first, body[link.second], body[link.first],
-                        (evaluation.link_force[k].elastic + evaluation.link_force[k].viscous) * n, shift});
+template <int Dim>
+std::vector<SiteContact<Dim>> with_links(std::vector<SiteContact<Dim>> contacts, const System<Dim>& system,
+                                         const Evaluation<Dim>& evaluation) {
+  if constexpr (Dim == 2) {  // links are of 2D
+    const std::vector<std::int32_t> body = bodies_of_sites(system.topology, system.state.size());
+    for (std::size_t k = 0; k < evaluation.link_force.size(); ++k) {
+      const Link& link = system.links[k];
+      const Vec2 shift = system.box.lattice().vector({1.0 * link.cells[0], 1.0 * link.cells[1]});
+      Vec2 n = link_vector(system, link);
+      if (const double d = norm(n); d > 0) n = (1 / d) * n;
+      contacts.push_back({link.second, link.first, body[link.second], body[link.first],
+                          (evaluation.link_force[k].elastic + evaluation.link_force[k].viscous) * n, shift});
+    }
   }
   return contacts;
 }
 
 }  // namespace
 
-PackingReport report_packing(Packing<2>& packing, const PresentMotion<2>& now) {
-  PackingReport r;
+template <int Dim>
+PackingReport<Dim> report_packing(Packing<Dim>& packing,
+                                  const std::type_identity_t<PresentMotion<Dim>>& now) {
+  PackingReport<Dim> r;
   r.evaluation.now = now;
-  System<2>& s = packing.system;
+  System<Dim>& s = packing.system;
   packing.field->evaluate(s, Detail::energies, r.evaluation);
-  BodyContacts<2>& contacts = *packing.field->bodies();
+  BodyContacts<Dim>& contacts = *packing.field->bodies();
   r.records = contacts.records(s);
   r.contacts = site_contacts(s, r.records, contacts.laws());
-  r.network = contact_network(s, with_links(r.contacts, s, r.evaluation), r.evaluation.wall);
+  r.network = contact_network(s, with_links<Dim>(r.contacts, s, r.evaluation), r.evaluation.wall);
   r.rattlers = find_rattlers(s, r.contacts, {r.evaluation.wall, packing.field->external().gravity});
   r.numbers = count_contacts(r.network, r.rattlers);
   r.constraints = count_constraints(s, r.contacts, r.rattlers, r.evaluation.wall);
@@ -129,42 +148,60 @@ PackingReport report_packing(Packing<2>& packing, const PresentMotion<2>& now) {
   return r;
 }
 
-Observables<PackingInstant> packing_observables(const std::string& symbol) {
-  using P = PackingInstant;
-  return {
-      {{"packing_fraction", "", "covered area over area of the cell"},
+namespace {
+
+/// A component of the full stress.
+template <int Dim>
+Observables<PackingInstant<Dim>> stress_component(int i, int j, const std::string& symbol) {
+  const std::string name = std::string("stress_") + "xyz"[i] + "xyz"[j];
+  return {{{name, symbol, "full stress, compression positive"}, [i, j](const PackingInstant<Dim>& p) {
+             const Mat<Dim> stress = p.stress();
+             return i == j ? stress[i][i] : 0.5 * (stress[i][j] + stress[j][i]);
+           }}};
+}
+
+}  // namespace
+
+template <int Dim>
+Observables<PackingInstant<Dim>> packing_observables(const std::string& symbol) {
+  using P = PackingInstant<Dim>;
+  Observables<P> all{
+      {{"packing_fraction", "",
+        Dim == 2 ? "covered area over area of the cell" : "covered volume over volume of the cell"},
        [](const P& p) { return p.report.fraction.total; }},
       {{"pressure", symbol, "full virial pressure (9.26)"}, [](const P& p) { return pressure(p.stress()); }},
       {{"contact_pressure", symbol, "pressure by contacts alone"},
-       [](const P& p) { return pressure(p.report.stresses.contact) / p.packing.pressure_unit; }},
-      {{"stress_xx", symbol, "full stress, compression positive"},
-       [](const P& p) { return p.stress()[0][0]; }},
-      {{"stress_yy", symbol, "full stress, compression positive"},
-       [](const P& p) { return p.stress()[1][1]; }},
-      {{"stress_xy", symbol, "full stress, compression positive"},
-       [](const P& p) { return -shear_stress(p.stress()); }},
-      {{"energy", "", "potential energy"}, [](const P& p) { return p.report.evaluation.energy.stored(); }},
-      {{"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-       [](const P& p) { return p.report.numbers.mean(); }},
-      {{"rattlers", "", "particles that can leave all of their contacts at once, removed until none is left"},
-       [](const P& p) {
-         return static_cast<double>(std::count(p.report.rattlers.begin(), p.report.rattlers.end(), 1));
-       }},
-      {{"residual", "", "largest net force on a vertex, or on a rigid particle"},
-       [](const P& p) { return largest_net_force(p.packing.system, p.report.evaluation.force); }},
-      {{"tolerance", "", "residual at which its minimisation was done"},
-       [](const P& p) { return p.work.last.tolerance; }},
-      {{"evaluations", "", "force evaluations so far"},
-       [](const P& p) { return static_cast<double>(p.work.evaluations); }},
-      {{"unsound", "", unsound_meaning},
-       [](const P& p) { return static_cast<double>(p.report.soundness.bodies()); }}};
+       [](const P& p) { return pressure(p.report.stresses.contact) / p.packing.pressure_unit; }}};
+  for (int i = 0; i < Dim; ++i) all.add(stress_component<Dim>(i, i, symbol));
+  for (int i = 0; i < Dim; ++i)
+    for (int j = i + 1; j < Dim; ++j) all.add(stress_component<Dim>(i, j, symbol));
+  all.add(
+      {{{"energy", "", "potential energy"}, [](const P& p) { return p.report.evaluation.energy.stored(); }},
+       {{"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
+        [](const P& p) { return p.report.numbers.mean(); }},
+       {{"rattlers", "",
+         "particles that can leave all of their contacts at once, removed until none is left"},
+        [](const P& p) {
+          return static_cast<double>(std::count(p.report.rattlers.begin(), p.report.rattlers.end(), 1));
+        }},
+       {{"residual", "", "largest net force on a vertex, or on a rigid particle"},
+        [](const P& p) { return largest_net_force(p.packing.system, p.report.evaluation.force); }},
+       {{"tolerance", "", "residual at which its minimisation was done"},
+        [](const P& p) { return p.work.last.tolerance; }},
+       {{"evaluations", "", "force evaluations so far"},
+        [](const P& p) { return static_cast<double>(p.work.evaluations); }},
+       {{"unsound", "", unsound_meaning},
+        [](const P& p) { return static_cast<double>(p.report.soundness.bodies()); }}});
+  return all;
 }
 
-Frame packing_frame(const Packing<2>& packing, const PackingReport& r, Surroundings surroundings) {
-  Frame frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->laws());
+template <int Dim>
+Frame<Dim> packing_frame(const Packing<Dim>& packing, const PackingReport<Dim>& r,
+                         Surroundings surroundings) {
+  Frame<Dim> frame = make_frame(packing.system, r.evaluation, r.records, packing.field->bodies()->laws());
   add_body_stresses(frame, packing, r);
   add_numbers(frame, packing, r, surroundings);
-  frame.body["area"] = r.fraction.volume;
+  frame.body[Dim == 2 ? "area" : "volume"] = r.fraction.volume;
   frame.body["shape_parameter"] = r.shapes.shape_parameter;
   frame.body["contacts"] = as_numbers(r.network.contacts_of_bodies());
   frame.body["rattler"] = as_numbers(r.rattlers);
@@ -175,31 +212,45 @@ Frame packing_frame(const Packing<2>& packing, const PackingReport& r, Surroundi
 namespace {
 
 /// Walls and gravity as they are now, for a continuation.
-void record_environment(const Packing<2>& packing, Recorder& recorder) {
+template <int Dim>
+void record_environment(const Packing<Dim>& packing, Recorder& recorder) {
   const Environment environment = environment_of(packing);
-  for_each_wall(environment, [&](const std::string& name, bool stands) {
+  for_each_wall<Dim>(environment, [&](const std::string& name, bool stands) {
     recorder.value(environment_group, {name, "", "1: this wall stands where the cell is not periodic"},
                    stands);
   });
   recorder.value(environment_group, {"gravity", "", "acceleration downward"}, -environment.gravity[gradient]);
 }
 
+/// The shape energy by term.
+void record_energies(const System<3>& system, Recorder& recorder) {
+  static const std::map<std::string, Column> columns{
+      {"enclosed_volume", {"energy_volume", "", "energy of enclosed volumes"}},
+      {"facet_stretch", {"energy_area", "", "energy of the areas of triangles"}},
+      {"hinge_bend", {"energy_bending", "", "energy of the angles between triangles"}},
+      {"facet_tension", {"energy_tension", "", "energy of surface tension"}}};
+  for (const auto& [term, energy] : shape_terms(system).energies(system))
+    recorder.value("results", columns.at(term), energy);
+}
+
 }  // namespace
 
-Environment environment_of(const Packing<2>& packing) {
+template <int Dim>
+Environment environment_of(const Packing<Dim>& packing) {
   Environment e;
-  if (const auto& walls = packing.field->walls()) e.stands = walls->stands;
-  e.gravity = packing.field->external().gravity;
+  if (const auto& walls = packing.field->walls()) std::ranges::copy(walls->stands, e.stands.begin());
+  for (int d = 0; d < Dim; ++d) e.gravity[d] = packing.field->external().gravity[d];
   return e;
 }
 
-void record_packing(Packing<2>& packing, const JamProgress<2>& progress, Recorder& recorder,
-                    Surroundings surroundings, const PresentMotion<2>& now) {
-  const PackingReport r = report_packing(packing, now);
+template <int Dim>
+void record_packing(Packing<Dim>& packing, const JamProgress<Dim>& progress, Recorder& recorder,
+                    Surroundings surroundings, const std::type_identity_t<PresentMotion<Dim>>& now) {
+  const PackingReport<Dim> r = report_packing(packing, now);
   recorder.frame(packing_frame(packing, r, surroundings));
-  const PackingInstant instant{packing, r, progress};
+  const PackingInstant<Dim> instant{packing, r, progress};
   const bool moves = instant.moves(), open = surroundings == Surroundings::open;
-  packing_observables(packing.pressure_symbol).record(instant, recorder, [&](std::string_view name) {
+  packing_observables<Dim>(packing.pressure_symbol).record(instant, recorder, [&](std::string_view name) {
     const bool of_cell =
         name == "packing_fraction" || name.find("pressure") != name.npos || name.starts_with("stress");
     return !(open && of_cell) && !(moves && one_of({"tolerance", "evaluations"})(name));
@@ -215,11 +266,19 @@ void record_packing(Packing<2>& packing, const JamProgress<2>& progress, Recorde
     number("contacts_beyond_isostatic", "vertex contacts more than a just rigid packing needs",
            r.constraints.excess());
   if (const auto shape = mean_shape_parameter(r.shapes))
-    number("mean_shape_parameter", "mean p^2/(4 pi a) of the polygons", *shape);
+    number("mean_shape_parameter",
+           Dim == 2 ? "mean p^2/(4 pi a) of the polygons" : "mean a^(3/2)/(6 sqrt(pi) v) of the surfaces",
+           *shape);
+  if constexpr (Dim == 3) {
+    record_energies(packing.system, recorder);
+    number("energy_contact", "energy of contacts between particles", r.evaluation.energy.elastic);
+  }
   if (packing.outline == Outline::smooth)
     number("feature_violations",
-           "vertices near a part of a boundary that is no simple arc, where corners and edges do "
-           "not add up to one contact",
+           Dim == 2 ? "vertices near a part of a boundary that is no simple arc, where corners and edges do "
+                      "not add up to one contact"
+                    : "vertices near a part of a surface that is no simple patch, where triangles, edges and "
+                      "corners do not add up to one contact",
            packing.field->bodies()->feature_violations());
   else if (r.soundness.longest_edge > 0)
     number("longest_edge",
@@ -232,16 +291,17 @@ void record_packing(Packing<2>& packing, const JamProgress<2>& progress, Recorde
   }
   warn(r, progress, recorder);
   record_environment(packing, recorder);
-  recorder.final_state(packing.system, r.evaluation);
+  recorder.final_state(Instant<Dim>{packing.system, r.evaluation});
 }
 
-void hand_over_packing(Packing<2>& packing, Recorder& recorder) {
+template <int Dim>
+void hand_over_packing(Packing<Dim>& packing, Recorder& recorder) {
   hand_over(packing, recorder);  // whatever can be said of it
   try {
-    const PackingReport r = report_packing(packing);
-    JamProgress<2> work;
+    const PackingReport<Dim> r = report_packing(packing);
+    JamProgress<Dim> work;
     work.minimisations = 1;  // it rests: no kinetic part
-    packing_observables(packing.pressure_symbol)
+    packing_observables<Dim>(packing.pressure_symbol)
         .record({packing, r, work}, recorder,
                 one_of({"packing_fraction", "pressure", "contact_pressure", "energy", "residual"}));
     recorder.frame(packing_frame(packing, r));
@@ -249,11 +309,28 @@ void hand_over_packing(Packing<2>& packing, Recorder& recorder) {
   }
 }
 
-void hand_over(Packing<2>& packing, Recorder& recorder) {
-  Evaluation<2> evaluation;
+template <int Dim>
+void hand_over(Packing<Dim>& packing, Recorder& recorder) {
+  Evaluation<Dim> evaluation;
   packing.field->evaluate(packing.system, Detail::energies, evaluation);
   record_environment(packing, recorder);
-  recorder.final_state(packing.system, evaluation);
+  recorder.final_state(Instant<Dim>{packing.system, evaluation});
 }
+
+#define SUPPLE_RECORDED(Dim)                                                                       \
+  template std::vector<Derived> derived_packing(const Packing<Dim>&);                              \
+  template std::vector<Derived> derived_equilibria(const Packing<Dim>&);                           \
+  template void begin_packing(Packing<Dim>&, const std::vector<Derived>&, Recorder&);              \
+  template PackingReport<Dim> report_packing(Packing<Dim>&, const PresentMotion<Dim>&);            \
+  template Observables<PackingInstant<Dim>> packing_observables<Dim>(const std::string&);          \
+  template Frame<Dim> packing_frame(const Packing<Dim>&, const PackingReport<Dim>&, Surroundings); \
+  template Environment environment_of(const Packing<Dim>&);                                        \
+  template void record_packing(Packing<Dim>&, const JamProgress<Dim>&, Recorder&, Surroundings,    \
+                               const PresentMotion<Dim>&);                                         \
+  template void hand_over_packing(Packing<Dim>&, Recorder&);                                       \
+  template void hand_over(Packing<Dim>&, Recorder&);
+SUPPLE_RECORDED(2)
+SUPPLE_RECORDED(3)
+#undef SUPPLE_RECORDED
 
 }  // namespace supple

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "supple/model/evaluation.hpp"
@@ -23,18 +24,27 @@ struct Column {
 /// Saves everything that decides how a run goes on, or restores it.
 using Keep = std::function<void(Keeper&)>;
 
+/// A system, and the forces on it.
+template <int Dim>
+struct Instant {
+  System<Dim> system;
+  Evaluation<Dim> evaluation;
+};
+using AnyInstant = std::variant<Instant<2>, Instant<3>>;
+
 /// What an experiment calls while it runs: tables such as "preparation" and "stress" (one row per step),
 /// frames, numbers, the final state, progress and warnings.
 class Recorder {
  public:
   virtual ~Recorder() = default;
-  virtual void begin(const RunInfo& info) = 0;
+  /// Begins a run in two dimensions or in three; whatever follows is of the same.
+  virtual void begin(const AnyRunInfo& info) = 0;
   /// Whether begin() was called, by this run or the one that it goes on with.
   virtual bool began() const = 0;
   /// Declares a table; append() with the same name then adds rows, with one value for each column.
   virtual void declare(const std::string& table, const std::vector<Column>& columns) = 0;
   virtual void append(const std::string& table, std::span<const double> row) = 0;
-  virtual void frame(const Frame& frame) = 0;
+  virtual void frame(const AnyFrame& frame) = 0;
   /// A named number. The group is "constants" (derived parameters), "results", or one that a continuation
   /// reads; error < 0: not known.
   virtual void value(const std::string& group, const Column& name, double value, double error = -1) = 0;
@@ -42,7 +52,7 @@ class Recorder {
   virtual std::vector<double> column(const std::string& table, const std::string& name) = 0;
   /// The complete state at the end, or where the run was interrupted: a run with `[initial] state` goes on
   /// from it, bit for bit.
-  virtual void final_state(const System<2>& system, const Evaluation<2>& evaluation) = 0;
+  virtual void final_state(const AnyInstant& instant) = 0;
   virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
   virtual void warning(const std::string& text) = 0;
   /// Whether the user asked to stop (Ctrl-C), for work between two safe points, which then throws
@@ -106,8 +116,9 @@ inline Keep in_part(std::string part, Keep keep) {
   };
 }
 
-/// A recorder that keeps everything in memory.
-class MemoryRecorder : public Recorder {
+/// A recorder that keeps everything of a run in this many dimensions in memory.
+template <int Dim>
+class MemoryRecorderOf : public Recorder {
  public:
   struct Table {
     std::vector<Column> columns;
@@ -118,16 +129,16 @@ class MemoryRecorder : public Recorder {
     Column name;
     double value, error;
   };
-  RunInfo info;
+  RunInfo<Dim> info;
   std::map<std::string, Table> tables;
-  std::vector<Frame> frames;
+  std::vector<Frame<Dim>> frames;
   std::map<std::string, std::vector<Value>> values;
-  System<2> last_system;
-  Evaluation<2> last_evaluation;
+  System<Dim> last_system;
+  Evaluation<Dim> last_evaluation;
   std::vector<std::string> warnings;
 
-  void begin(const RunInfo& i) override {
-    info = i;
+  void begin(const AnyRunInfo& i) override {
+    info = std::get<RunInfo<Dim>>(i);
     began_ = true;
   }
   bool began() const override { return began_; }
@@ -137,16 +148,18 @@ class MemoryRecorder : public Recorder {
   void append(const std::string& table, std::span<const double> row) override {
     tables[table].rows.emplace_back(row.begin(), row.end());
   }
-  void frame(const Frame& f) override {
+  void frame(const AnyFrame& any) override {
+    const auto& f = std::get<Frame<Dim>>(any);
     if (frames.empty() || !same_instant(frames.back(), f)) frames.push_back(f);
   }
   void value(const std::string& group, const Column& name, double v, double error) override {
     values[group].push_back({name, v, error});
   }
   std::vector<double> column(const std::string& table, const std::string& name) override;
-  void final_state(const System<2>& s, const Evaluation<2>& e) override {
-    last_system = s;
-    last_evaluation = e;
+  void final_state(const AnyInstant& any) override {
+    const auto& instant = std::get<Instant<Dim>>(any);
+    last_system = instant.system;
+    last_evaluation = instant.evaluation;
   }
   void progress(const std::string&, std::int64_t, std::int64_t) override {}
   void warning(const std::string& text) override { warnings.push_back(text); }
@@ -156,5 +169,6 @@ class MemoryRecorder : public Recorder {
  private:
   bool began_ = false;
 };
+using MemoryRecorder = MemoryRecorderOf<2>;
 
 }  // namespace supple

@@ -48,7 +48,7 @@ namespace {
 
 /// Of free discs and of all spins, with the velocities that the frame gives: the flow has the rate of this
 /// instant.
-double kinetic_energy_of(const Frame& frame, const State<2>& s) {
+double kinetic_energy_of(const Frame<2>& frame, const State<2>& s) {
   double sum = 0;
   for (std::size_t i = 0; i < frame.velocity.size(); ++i) {
     if (frame.mobility[i] == Mobility::free)
@@ -59,7 +59,7 @@ double kinetic_energy_of(const Frame& frame, const State<2>& s) {
 }
 
 /// Energies by term, and the stress of all contacts: (1/A) sum F l^T.
-void add_numbers(Frame& frame, const Suspension& s, const Evaluation<2>& evaluation) {
+void add_numbers(Frame<2>& frame, const Suspension& s, const Evaluation<2>& evaluation) {
   const Mat2 contact = stress_tensors(s.system, evaluation).virial;
   frame.numbers["pressure"] = pressure(contact);
   add_tensor(frame.numbers, "contact_stress", contact);
@@ -73,8 +73,8 @@ void add_numbers(Frame& frame, const Suspension& s, const Evaluation<2>& evaluat
 
 }  // namespace
 
-Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates) {
-  Frame frame = make_frame(s.system, evaluation);
+Frame<2> frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates) {
+  Frame<2> frame = make_frame(s.system, evaluation);
   s.stepper->bring_to_instant(s.system, rates.now, frame.velocity, frame.spin);
   frame.strain_rate = rates.now;
   add_numbers(frame, s, evaluation);

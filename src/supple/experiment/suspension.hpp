@@ -60,7 +60,7 @@ void record_constants(const Suspension& s, const InitialState* initial, const st
 
 /// The frame at the instant of `evaluation`, the last one of the stepper. Velocities, spins and the shear
 /// rate are brought to that instant, where a leapfrog keeps those of half a step before.
-Frame frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates);
+Frame<2> frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRates rates);
 
 /// Sets time and step to 0, unless the case goes on with those of its state (initial.keep_time), or a run
 /// goes on.

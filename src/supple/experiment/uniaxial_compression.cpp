@@ -41,7 +41,7 @@ double lone_area(const Packing<2>& packing) {
   return packing_fraction(apart, packing.outline).total * apart.box.volume();
 }
 
-struct WallInstant : PackingInstant {
+struct WallInstant : PackingInstant<2> {
   double strain;
   WallForces walls() const { return sum_wall_forces(report.evaluation.wall); }
   double pairs() const { return static_cast<double>(report.network.pairs.size()); }
@@ -53,7 +53,7 @@ Observables<WallInstant> wall_observables(const Packing<2>& packing) {
   using W = WallInstant;
   Observables<W> all{{{"strain", "", "how far the upper wall has come down, over the first height"},
                       [](const W& w) { return w.strain; }}};
-  all.add(packing_observables(packing.pressure_symbol));
+  all.add(packing_observables<2>(packing.pressure_symbol));
   all.add(
       {{{"wall_force", "", "force of the particles on the upper wall"},
         [](const W& w) { return w.walls().lid; }},
@@ -142,10 +142,10 @@ void compress(const Case& c, Packing<2>& packing, Compressed& state, LastGood<2>
     count(state.work, report);
     require_converged(packing, report, fmt::format("the packing at strain {:.4f}", strain));
     remember(packing, report, good.look());
-    const PackingReport row = report_packing(packing);
+    const PackingReport<2> row = report_packing(packing);
     observables.append("packing", {{packing, row, state.work}, strain}, recorder);
     if (frames.due(state.step)) {
-      Frame frame = packing_frame(packing, row);
+      Frame<2> frame = packing_frame(packing, row);
       frame.numbers["uniaxial_strain"] = strain;
       recorder.frame(frame);
     }
@@ -187,7 +187,7 @@ void run_uniaxial_compression(const Case& c, const InitialState* initial, Record
     throw;
   }
   const JamProgress<2>& work = state.work;
-  const PackingReport report = report_packing(packing);
+  const PackingReport<2> report = report_packing(packing);
   observables.record({{packing, report, work}, c.uniaxial.strain}, recorder,
                      one_of({"wall_force", "contact_length", "mean_overlap", "overlap_area"}));
   record_packing(packing, work, recorder);

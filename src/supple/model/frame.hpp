@@ -1,8 +1,10 @@
 /// A system at one instant as files and pictures show it, and what stays the same in a run.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "supple/model/box.hpp"
@@ -13,7 +15,8 @@
 namespace supple {
 
 /// A contact as files and pictures show it, first < second. elongation_back is the elongation that `second`
-/// keeps in the published package; elsewhere it equals elongation.
+/// keeps in the published package; elsewhere it equals elongation. Nothing is tangential in 3D as yet.
+template <int Dim>
 struct ContactRow {
   std::int32_t first, second;
   ContactState state;
@@ -21,7 +24,7 @@ struct ContactRow {
   double normal_force;              ///< elastic + viscous; positive: pushes apart
   double tangential_force;          ///< on `first` along t = (-n_y, n_x), n from first to second
   double elastic = 0, viscous = 0;  ///< parts of the normal force: of the repulsion or link, of the dashpot
-  Vec2 force{};                     ///< on `first`; its opposite acts on `second`
+  Vec<Dim> force{};                 ///< on `first`; its opposite acts on `second`
 };
 
 /// Numbers of bodies by name (numbers_in_frames): "pressure", "shape_parameter", ...; one for each body.
@@ -31,32 +34,43 @@ using BodyNumbers = std::map<std::string, std::vector<double>>;
 using SystemNumbers = std::map<std::string, double>;
 
 /// The whole system at one instant, for trajectories and pictures, in the units of the run.
+template <int Dim>
 struct Frame {
   std::int64_t step = 0;
   double time = 0, strain = 0, strain_rate = 0;
-  std::vector<Vec2> position, velocity, force;
-  std::vector<double> angle, spin, torque;
+  std::vector<Vec<Dim>> position, velocity, force;
+  std::vector<double> angle;
+  std::vector<Angular<Dim>> spin, torque;
   std::vector<Mobility> mobility;
-  std::vector<ContactRow> contacts;
-  Vec2 length{};          ///< of the cell at this instant; (0, 0): that of the run
+  std::vector<ContactRow<Dim>> contacts;
+  Vec<Dim> length{};      ///< of the cell at this instant; 0: that of the run
   BodyNumbers body;       ///< the same names in all frames of a run
   SystemNumbers numbers;  ///< these too
 };
 
 /// Whether two frames are of the same instant. Recorders keep each instant once, by the first frame of it.
-inline bool same_instant(const Frame& a, const Frame& b) {
+template <int Dim>
+bool same_instant(const Frame<Dim>& a, const Frame<Dim>& b) {
   return a.step == b.step && a.time == b.time && a.position == b.position;
 }
 
 /// What stays the same in a run, written before the first step: sizes and masses of sites stand here and not
 /// in frames.
+template <int Dim>
 struct RunInfo {
   Units units;
-  Box<2> box;
+  Box<Dim> box;
   std::vector<double> radius, mass, inertia;
   std::vector<std::int32_t>
       particle;  ///< of each site, 0-based: crosslinked particle of a disc, body of a vertex
   std::vector<std::int32_t> body_begin;  ///< Topology::begin; empty: microgel discs
+  /// Sites of each triangle, seen counter-clockwise from outside. Empty in 2D, where an edge of a body is
+  /// from each site to the next.
+  std::vector<std::array<std::int32_t, Dim>> facet;
 };
+
+/// A frame, and what stays the same, of a run in two dimensions or three.
+using AnyFrame = std::variant<Frame<2>, Frame<3>>;
+using AnyRunInfo = std::variant<RunInfo<2>, RunInfo<3>>;
 
 }  // namespace supple

@@ -8,6 +8,7 @@ namespace supple {
 
 inline constexpr int flow = 0;      ///< direction of the flow
 inline constexpr int gradient = 1;  ///< direction of the velocity gradient
+inline constexpr int vorticity = 2;  ///< direction of the vorticity, in 3D
 
 /// Images of a rectangular cell at one instant, with all divisions done beforehand, for loops over many
 /// pairs. The image in cell n is displaced by n_d length_d in each direction d, and further by n_gradient

@@ -154,48 +154,48 @@ inline constexpr auto quantities<EnergyParts> = std::tuple{
              "lost in tangential dashpots"},
     Quantity{"sliding_power", &EnergyParts::sliding_power, unit::power, "lost by friction"}};
 
-template <>
-inline constexpr auto quantities<RunInfo> =
-    std::tuple{Quantity{"radius", &RunInfo::radius, unit::length, "of discs and of the discs on vertices"},
-               Quantity{"mass", &RunInfo::mass, unit::mass, "of discs and vertices"},
-               Quantity{"inertia", &RunInfo::inertia, unit::inertia, "moment of inertia of discs"},
-               Quantity{"particle", &RunInfo::particle, unit::none,
-                        "of the site, from 0: the discs that links join, or the body of a vertex"}};
+template <int Dim>
+inline constexpr auto quantities<RunInfo<Dim>> = std::tuple{
+    Quantity{"radius", &RunInfo<Dim>::radius, unit::length, "of discs and of the discs on vertices"},
+    Quantity{"mass", &RunInfo<Dim>::mass, unit::mass, "of discs and vertices"},
+    Quantity{"inertia", &RunInfo<Dim>::inertia, unit::inertia, "moment of inertia of discs"},
+    Quantity{"particle", &RunInfo<Dim>::particle, unit::none,
+             "of the site, from 0: the discs that links join, or the body of a vertex"}};
 
-template <>
-inline constexpr auto quantities<Frame> = std::tuple{
-    Quantity{"step", &Frame::step, unit::none, "time step of the run"},
-    Quantity{"time", &Frame::time, unit::time, "of the frame"},
-    Quantity{"strain", &Frame::strain, unit::none, "accumulated shear strain"},
-    Quantity{"strain_rate", &Frame::strain_rate, unit::rate, "shear rate"},
-    Quantity{"position", &Frame::position, unit::length, "of discs and vertices"},
-    Quantity{"velocity", &Frame::velocity, unit::speed, "at the time of the frame"},
-    Quantity{"force", &Frame::force, unit::force, "on each site"},
-    Quantity{"angle", &Frame::angle, unit::angle, "counter-clockwise"},
-    Quantity{"spin", &Frame::spin, unit::spin, "counter-clockwise"},
-    Quantity{"torque", &Frame::torque, unit::torque, "counter-clockwise"},
-    Quantity{"mobility", &Frame::mobility, unit::none, "0 free, 1 lower plate, 2 upper plate, 3 fixed"},
-    Quantity{"length", &Frame::length, unit::length, "of the cell"}};
+template <int Dim>
+inline constexpr auto quantities<Frame<Dim>> = std::tuple{
+    Quantity{"step", &Frame<Dim>::step, unit::none, "time step of the run"},
+    Quantity{"time", &Frame<Dim>::time, unit::time, "of the frame"},
+    Quantity{"strain", &Frame<Dim>::strain, unit::none, "accumulated shear strain"},
+    Quantity{"strain_rate", &Frame<Dim>::strain_rate, unit::rate, "shear rate"},
+    Quantity{"position", &Frame<Dim>::position, unit::length, "of discs and vertices"},
+    Quantity{"velocity", &Frame<Dim>::velocity, unit::speed, "at the time of the frame"},
+    Quantity{"force", &Frame<Dim>::force, unit::force, "on each site"},
+    Quantity{"angle", &Frame<Dim>::angle, unit::angle, "counter-clockwise"},
+    Quantity{"spin", &Frame<Dim>::spin, unit::spin, "counter-clockwise"},
+    Quantity{"torque", &Frame<Dim>::torque, unit::torque, "counter-clockwise"},
+    Quantity{"mobility", &Frame<Dim>::mobility, unit::none, "0 free, 1 lower plate, 2 upper plate, 3 fixed"},
+    Quantity{"length", &Frame<Dim>::length, unit::length, "of the cell"}};
 
-template <>
-inline constexpr auto quantities<ContactRow> = std::tuple{
-    Quantity{"contact_first", &ContactRow::first, unit::none, "site; the smaller number"},
-    Quantity{"contact_second", &ContactRow::second, unit::none, "site"},
-    Quantity{"contact_state", &ContactRow::state, unit::none, state_meaning},
-    Quantity{"contact_elongation", &ContactRow::elongation, unit::length,
+template <int Dim>
+inline constexpr auto quantities<ContactRow<Dim>> = std::tuple{
+    Quantity{"contact_first", &ContactRow<Dim>::first, unit::none, "site; the smaller number"},
+    Quantity{"contact_second", &ContactRow<Dim>::second, unit::none, "site"},
+    Quantity{"contact_state", &ContactRow<Dim>::state, unit::none, state_meaning},
+    Quantity{"contact_elongation", &ContactRow<Dim>::elongation, unit::length,
              "of the tangential spring, along t = (-n_y, n_x), n from first to second"},
-    Quantity{"contact_elongation_back", &ContactRow::elongation_back, unit::length,
+    Quantity{"contact_elongation_back", &ContactRow<Dim>::elongation_back, unit::length,
              "the published package's second one, as the second site sees it"},
-    Quantity{"contact_normal_force", &ContactRow::normal_force, unit::force,
+    Quantity{"contact_normal_force", &ContactRow<Dim>::normal_force, unit::force,
              "elastic and viscous part; positive: pushes the two apart"},
-    Quantity{"contact_elastic_force", &ContactRow::elastic, unit::force,
+    Quantity{"contact_elastic_force", &ContactRow<Dim>::elastic, unit::force,
              "part of the normal force by repulsion or link"},
-    Quantity{"contact_viscous_force", &ContactRow::viscous, unit::force,
+    Quantity{"contact_viscous_force", &ContactRow<Dim>::viscous, unit::force,
              "part of the normal force by the dashpot"},
     Quantity{
-        "contact_tangential_force", &ContactRow::tangential_force, unit::force,
+        "contact_tangential_force", &ContactRow<Dim>::tangential_force, unit::force,
         "on contact_first along t = (-n_y, n_x), n from first to second; the opposite on contact_second"},
-    Quantity{"contact_force", &ContactRow::force, unit::force,
+    Quantity{"contact_force", &ContactRow<Dim>::force, unit::force,
              "on contact_first; the opposite on contact_second"}};
 
 /// What a file holds by name beside the members above.

@@ -58,7 +58,7 @@ struct Facts {
   }
 
   Case c;
-  RunInfo info;
+  RunInfo<2> info;
   double mass, spring, tau, frequency, time_step, damping, removed_links;
   double k, k_t, nu, nu_t, mu, ratio_central, ratio_tangential;
   double to_length, to_mass;

@@ -10,13 +10,13 @@ namespace {
 
 /// A vector along the normal n of a contact, which follows from its force F = -N n + T t, t being n turned
 /// left.
-Vec2 direction(const ContactRow& c) {
+Vec2 direction(const ContactRow<2>& c) {
   return -c.normal_force * c.force - c.tangential_force * turned_left(c.force);
 }
 
 /// The particle of each body: discs that crosslinks join share one, a polygon is one of its own. Empty where
 /// no bodies are joined.
-std::vector<std::int32_t> particles_of_bodies(const RunInfo& info, const Scene& scene) {
+std::vector<std::int32_t> particles_of_bodies(const RunInfo<2>& info, const Scene& scene) {
   if (info.body_begin.empty()) return info.particle;
   std::vector<std::int32_t> particle;
   std::set<std::int32_t> different;
@@ -30,7 +30,7 @@ std::vector<std::int32_t> particles_of_bodies(const RunInfo& info, const Scene& 
 
 }  // namespace
 
-Scene scene_of(const RunInfo& info, const Frame& frame) {
+Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame) {
   Scene scene;
   scene.units = info.units;
   scene.box = info.box;
@@ -56,7 +56,7 @@ Scene scene_of(const RunInfo& info, const Frame& frame) {
     add("particle", info.particle);
   }
   for (const auto& [name, values] : frame.body) scene.of_bodies.push_back({name, values});
-  for (const ContactRow& c : frame.contacts) {
+  for (const ContactRow<2>& c : frame.contacts) {
     const bool is_link = c.state == ContactState::permanent;
     scene.contacts.push_back({c.first, c.second, std::hypot(c.normal_force, c.tangential_force), 0, c.state,
                               is_link && c.normal_force < 0, is_link ? direction(c) : Vec2{}});

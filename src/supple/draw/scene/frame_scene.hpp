@@ -8,7 +8,7 @@ namespace supple {
 /// The bodies of a run at one instant, in the units of the run, with what the frame knows of them: velocity,
 /// force, angle, spin, torque and, for discs, the crosslinked particle of each site; the numbers of each
 /// body; contacts that bear a force. The caller must set boundary and walls, which frames do not know.
-Scene scene_of(const RunInfo& info, const Frame& frame);
+Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame);
 
 /// The array of numbers of bodies with this name; null where there is none.
 const std::vector<double>* numbers_of_bodies(const Scene& scene, const std::string& name);

@@ -118,7 +118,7 @@ struct Factors {
   double operator()(const Unit& unit) const { return from.of(unit) / to.of(unit); }
 };
 
-void append_discs(CsvFile& csv, const Frame& frame, const Factors& factor) {
+void append_discs(CsvFile& csv, const Frame<2>& frame, const Factors& factor) {
   const double length = factor(unit::length), speed = factor(unit::speed), force = factor(unit::force);
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     csv.cell(frame.position[i][0] * length);
@@ -140,14 +140,14 @@ const char* state_name(ContactState state) {
 }
 
 /// "i>j:state:elongation" of every contact from both sides, by i, then j.
-std::string neighbors_text(const Frame& frame, double to_length) {
+std::string neighbors_text(const Frame<2>& frame, double to_length) {
   struct Side {
     std::int32_t other;
     ContactState state;
     double elongation;
   };
   std::vector<std::vector<Side>> sides(frame.position.size());
-  for (const ContactRow& c : frame.contacts) {
+  for (const ContactRow<2>& c : frame.contacts) {
     sides[static_cast<std::size_t>(c.first)].push_back({c.second, c.state, c.elongation});
     sides[static_cast<std::size_t>(c.second)].push_back({c.first, c.state, c.elongation_back});
   }
@@ -170,7 +170,7 @@ std::string neighbors_text(const Frame& frame, double to_length) {
 }
 
 void write_trajectory(const RunFile& run, CsvFile& csv) {
-  const RunInfo info = run.info();
+  const RunInfo<2> info = run.info();
   const Factors to{info.units, particleshear_units()};
   const Columns stresses = trajectory_stresses(run);
   const std::vector<double> time = run.column("stress", "t");
@@ -184,7 +184,7 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
 
   std::size_t row = 0;  // of the table, which has one for every step
   for (std::int64_t k = 0; k < run.frames(); ++k) {
-    const Frame frame = run.frame(k);
+    const Frame<2> frame = run.frame(k);
     while (row < time.size() && time[row] != frame.time * info.units.time) ++row;
     if (row == time.size())
       throw file_error(run.path() + " has no row of stress for frame " + std::to_string(k),
@@ -202,7 +202,7 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
 
 /// visit(quantity, value) for all of a contact but the second elongation of the published package.
 template <class Visit>
-void for_each_in_csv(const ContactRow& c, Visit&& visit) {
+void for_each_in_csv(const ContactRow<2>& c, Visit&& visit) {
   for_each_quantity(c, [&](const auto& q, const auto& value) {
     if (&value != static_cast<const void*>(&c.elongation_back)) visit(q, value);
   });
@@ -217,15 +217,15 @@ void write_contacts(const RunFile& run, CsvFile& csv) {
   const auto in_csv = [](const std::string& name) { return name.substr(std::string("contact_").size()); };
   head("frame", unit::none);
   head("t", unit::time);
-  for_each_in_csv(ContactRow{}, [&]<class T>(const auto& q, const T&) {
+  for_each_in_csv(ContactRow<2>{}, [&]<class T>(const auto& q, const T&) {
     if (std::is_same_v<T, Vec2>) {
       for (const char* axis : {"x", "y"}) head(std::string("force_on_first_") + axis, q.unit);
     } else head(in_csv(q.name), q.unit);
   });
   csv.end_row();
   for (std::int64_t k = 0; k < run.frames(); ++k) {
-    const Frame frame = run.frame(k);
-    for (const ContactRow& c : frame.contacts) {
+    const Frame<2> frame = run.frame(k);
+    for (const ContactRow<2>& c : frame.contacts) {
       csv.cell(k);
       csv.cell(frame.time * to_si(unit::time));
       for_each_in_csv(c, [&]<class T>(const auto& q, const T& value) {

@@ -44,7 +44,7 @@ std::vector<std::pair<double, std::int64_t>> instants(const RunFile& run) {
 
 void export_xyz(const RunFile& run, const std::string& path, Existing existing) {
   check_frames(run);
-  const RunInfo info = run.info();
+  const RunInfo<2> info = run.info();
   XyzFile file(path, existing);
   for (std::int64_t k = 0; k < run.frames(); ++k) file.append(scene_of(info, run.frame(k)));
   file.commit();
@@ -67,7 +67,7 @@ void export_vtp(const RunFile& run, const std::string& path, Existing existing, 
   const std::string folder = frame_folder(path);
   if (existing == Existing::replace) remove_numbered_files(folder, "frame");
   make_folder(folder);
-  const RunInfo info = run.info();
+  const RunInfo<2> info = run.info();
   std::vector<PvdEntry> frames;
   for (const auto& [time, k] : instants(run)) {
     const std::string name = fmt::format("frame{:07}.vtp", frames.size());

@@ -97,20 +97,39 @@ FileRecorder::FileRecorder(std::string path, Case resolved, std::string case_tex
 
 FileRecorder::~FileRecorder() {
   std::error_code error;
-  if (!finished_ && !info_ && !can_resume()) fs::remove_all(folder_, error);  // the run never began
+  if (!finished_ && !began() && !can_resume()) fs::remove_all(folder_, error);  // the run never began
   if (!finished_) try {
-      if (info_) write_segment();
+      if (began()) write_segment();
     } catch (const std::exception&) {  // what is on disk is complete; a destructor has nobody to tell
     }
   if (lock_ >= 0) close(lock_);
 }
 
-void FileRecorder::begin(const RunInfo& info) {
-  if (info_ && resumed_) return;
-  info_ = info;
+/// Whatever comes first decides how many dimensions a run has.
+template <int Dim>
+FileRecorder::Sites<Dim>& FileRecorder::sites_in() {
+  if (const auto* other = std::get_if<Sites<5 - Dim>>(&sites_)) {
+    if (other->info || other->last || other->final_state)
+      throw input_error("a run is in two dimensions or in three", "it began in the other");
+    sites_.emplace<Sites<Dim>>();
+  }
+  return std::get<Sites<Dim>>(sites_);
+}
+
+const Units& FileRecorder::units() const {
+  return std::visit([](const auto& sites) -> const Units& { return sites.info->units; }, sites_);
+}
+
+void FileRecorder::begin(const AnyRunInfo& any) {
+  if (began() && resumed_) return;
   // What was told before stays in memory: a short run is written at once.
   h5::Group root = h5::create_file(folder_, h5::Storage::plain);
-  write_header(root, case_, case_text_, info);
+  std::visit(
+      [&]<int Dim>(const RunInfo<Dim>& info) {
+        sites_in<Dim>().info = info;
+        write_header(root, case_, case_text_, info);
+      },
+      any);
   root.create_group("tables");
   root.write("warnings", std::vector<std::string>());
   save_segment(root);
@@ -133,41 +152,70 @@ void FileRecorder::append(const std::string& table, std::span<const double> row)
   count(row.size_bytes());
 }
 
-void FileRecorder::frame(const Frame& frame) {
-  if (last_frame_ && same_instant(*last_frame_, frame)) return;
+void FileRecorder::frame(const AnyFrame& any) {
+  std::visit([&](const auto& frame) { add_frame(frame); }, any);
+}
+
+template <int Dim>
+void FileRecorder::add_frame(const Frame<Dim>& frame) {
+  Sites<Dim>& sites = sites_in<Dim>();
+  if (sites.last && same_instant(*sites.last, frame)) return;
   holds_ = false;
-  if (!last_frame_) first_numbers_ = frame.numbers;
+  if (!sites.last) first_numbers_ = frame.numbers;
   std::map<std::string, std::size_t> numbers;
   for (const auto& [name, values] : frame.body) numbers[name] = values.size();
   if (!body_numbers_) body_numbers_ = numbers;
   if (numbers != *body_numbers_)
     throw input_error("a frame has other numbers of bodies than the first one",
                       "all frames of a run are alike");
-  frames_.push_back(frame);
-  SystemNumbers& of_all = frames_.back().numbers;
+  sites.frames.push_back(frame);
+  SystemNumbers& of_all = sites.frames.back().numbers;
   of_all = {};
   for (const auto& [name, value] : first_numbers_) {
     const auto at = frame.numbers.find(name);
     of_all[name] = at == frame.numbers.end() ? std::nan("") : at->second;
   }
-  last_frame_.emplace();
-  last_frame_->step = frame.step;
-  last_frame_->time = frame.time;
-  last_frame_->position = frame.position;
+  remember_instant(frame);
   std::size_t bytes =
-      frame.position.size() * 10 * sizeof(double) + frame.contacts.size() * sizeof(ContactRow);
+      frame.position.size() * 5 * Dim * sizeof(double) + frame.contacts.size() * sizeof(ContactRow<Dim>);
   for (const auto& [name, values] : frame.body) bytes += values.size() * sizeof(double);
   count(bytes);
 }
+
+template <int Dim>
+void FileRecorder::remember_instant(const Frame<Dim>& frame) {
+  Frame<Dim>& last = sites_in<Dim>().last.emplace();
+  last.step = frame.step;
+  last.time = frame.time;
+  last.position = frame.position;
+}
+
+template <int Dim>
+void FileRecorder::take_up_frames(const RunFile& run) {
+  sites_in<Dim>().info = run.info<Dim>();
+  const std::int64_t frames = run.frames();
+  if (frames == 0) return;
+  const Frame<Dim> first = run.frame<Dim>(0);
+  first_numbers_ = first.numbers;
+  body_numbers_.emplace();
+  for (const auto& [name, values] : first.body) (*body_numbers_)[name] = values.size();
+  remember_instant(run.frame<Dim>(frames - 1));
+}
+template void FileRecorder::take_up_frames<2>(const RunFile&);
+template void FileRecorder::take_up_frames<3>(const RunFile&);
 
 void FileRecorder::value(const std::string& group, const Column& name, double value, double error) {
   holds_ = false;
   values_.push_back({group, {name, value, error}});
 }
 
-void FileRecorder::final_state(const System<2>& system, const Evaluation<2>& evaluation) {
-  final_.emplace(system, evaluation);
-  drop_open(final_->first.pairs, system.state.size());
+void FileRecorder::final_state(const AnyInstant& any) {
+  std::visit(
+      [&]<int Dim>(const Instant<Dim>& instant) {
+        Instant<Dim>& last = sites_in<Dim>().final_state.emplace(instant);
+        drop_open(last.system.pairs, last.system.state.size());
+      },
+      any);
 }
 
 void FileRecorder::progress(const std::string& phase, std::int64_t done, std::int64_t total) {
@@ -183,7 +231,7 @@ void FileRecorder::count(std::size_t bytes) {
   bytes_ += bytes;
   const auto now = Clock::now();
   const double interval = std::max(flush_.seconds, 0.02 * seconds_between(started_, now));
-  if (info_ && (bytes_ >= flush_.bytes || seconds_between(flushed_, now) >= interval)) write_segment();
+  if (began() && (bytes_ >= flush_.bytes || seconds_between(flushed_, now) >= interval)) write_segment();
 }
 
 void FileRecorder::save_segment(h5::Group& root) {
@@ -195,15 +243,19 @@ void FileRecorder::write_segment() {
   h5::Group root = h5::create_file(folder_, h5::Storage::plain);  // it is soon merged
   write_news(root);
   save_segment(root);
-  for (const Frame& frame : frames_) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
+  std::visit(
+      [&](auto& sites) {
+        for (const auto& frame : sites.frames) contacts_ += static_cast<std::int64_t>(frame.contacts.size());
+        sites.frames.clear();
+        sites.final_state.reset();
+      },
+      sites_);
   for (auto& [name, table] : tables_) {
     table.rows.clear();
     table.fresh = false;
   }
-  frames_.clear();
   values_.clear();
   warnings_.clear();
-  final_.reset();
   bytes_ = 0;
   flushed_ = Clock::now();
   has_flushed_ = true;
@@ -211,13 +263,16 @@ void FileRecorder::write_segment() {
 
 void FileRecorder::write_news(h5::Group& root) {
   write_numbers(root);
-  write_frames(root, frames_, info_->units, contacts_);
-  if (final_) {
-    h5::Group state = root.create_group("final_state");
-    write_system(state, final_->first, info_->units);
-    h5::Group evaluation = state.create_group("evaluation");
-    write_evaluation(evaluation, final_->second, info_->units);
-  }
+  std::visit(
+      [&](const auto& sites) {
+        write_frames(root, sites.frames, units(), contacts_);
+        if (!sites.final_state) return;
+        h5::Group state = root.create_group("final_state");
+        write_system(state, sites.final_state->system, units());
+        h5::Group evaluation = state.create_group("evaluation");
+        write_evaluation(evaluation, sites.final_state->evaluation, units());
+      },
+      sites_);
 }
 
 /// Rows, values and warnings that no segment holds.

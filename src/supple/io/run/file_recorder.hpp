@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "supple/core/error.hpp"
@@ -17,6 +18,8 @@
 #include "supple/io/run/run_layout.hpp"
 
 namespace supple {
+
+class RunFile;
 
 /// When checkpoints are written, in seconds of wall time: at the first safe point after `period`, and so
 /// seldom that they take at most `share` of the time. A run stops before it has gone on for `limit`.
@@ -47,12 +50,12 @@ class FileRecorder : public Recorder {
   FileRecorder(const FileRecorder&) = delete;
   FileRecorder& operator=(const FileRecorder&) = delete;
 
-  void begin(const RunInfo& info) override;
+  void begin(const AnyRunInfo& info) override;
   void declare(const std::string& table, const std::vector<Column>& columns) override;
   void append(const std::string& table, std::span<const double> row) override;
-  void frame(const Frame& frame) override;
+  void frame(const AnyFrame& frame) override;
   void value(const std::string& group, const Column& name, double value, double error = -1) override;
-  void final_state(const System<2>& system, const Evaluation<2>& evaluation) override;
+  void final_state(const AnyInstant& instant) override;
   std::vector<double> column(const std::string& table, const std::string& name) override;
   void progress(const std::string& phase, std::int64_t done, std::int64_t total) override;
   void warning(const std::string& text) override;
@@ -68,7 +71,9 @@ class FileRecorder : public Recorder {
   /// file error says what is lost. A second call throws the same error.
   void finish(const std::string& status);
   /// Whether the run got so far that it leaves a file.
-  bool began() const override { return info_.has_value(); }
+  bool began() const override {
+    return std::visit([](const auto& sites) { return sites.info.has_value(); }, sites_);
+  }
   /// Whether there is a place from which the run can be resumed.
   bool can_resume() const { return checkpoints_written_ > 0; }
   /// Checkpoints that were left aside, and why, where a run goes on from an older one.
@@ -88,6 +93,24 @@ class FileRecorder : public Recorder {
     bool taken_up = false;     ///< of the run that goes on, which declares it once more
   };
 
+  /// What is recorded of the sites of a run in so many dimensions.
+  template <int Dim>
+  struct Sites {
+    std::optional<RunInfo<Dim>> info;    ///< once the run began
+    std::vector<Frame<Dim>> frames;      ///< since the last segment
+    std::optional<Frame<Dim>> last;      ///< instant of the last frame
+    std::optional<Instant<Dim>> final_state;  ///< if no segment holds it
+  };
+  template <int Dim>
+  Sites<Dim>& sites_in();
+  template <int Dim>
+  void add_frame(const Frame<Dim>& frame);
+  template <int Dim>
+  void remember_instant(const Frame<Dim>& frame);
+  template <int Dim>
+  void take_up_frames(const RunFile& run);
+  const Units& units() const;
+
   void count(std::size_t bytes);
   void write_segment();
   void save_segment(h5::Group& root);
@@ -101,6 +124,8 @@ class FileRecorder : public Recorder {
   bool checkpoint_is_due();
   void write_checkpoint(const Kept& kept);
   std::string save_what_fits();
+  template <int Dim>
+  std::string save_what_fits(Sites<Dim>& sites);
 
   std::string path_, folder_;
   Case case_;
@@ -110,7 +135,7 @@ class FileRecorder : public Recorder {
   CheckpointSpec checkpoint_spec_;
   std::chrono::steady_clock::time_point started_, flushed_, checkpoint_due_;
 
-  std::optional<RunInfo> info_;
+  std::variant<Sites<2>, Sites<3>> sites_;
   bool finished_ = false;
   std::optional<Error> failure_;  ///< thrown by finish()
   int lock_ = -1;                 ///< descriptor of the folder, locked while this writes there
@@ -119,13 +144,10 @@ class FileRecorder : public Recorder {
   std::int64_t contacts_ = 0;  ///< rows of contacts in the segments so far
   std::size_t bytes_ = 0;      ///< in memory, since the last segment
   std::map<std::string, Table> tables_;
-  std::vector<Frame> frames_;
-  std::optional<Frame> last_frame_;                                 ///< its instant
   std::optional<std::map<std::string, std::size_t>> body_numbers_;  ///< names and lengths in the first frame
   SystemNumbers first_numbers_;  ///< of the first frame; a number that a later one lacks is nan there
   std::vector<std::pair<std::string, RunValue>> values_;
   std::vector<std::string> warnings_;
-  std::optional<std::pair<System<2>, Evaluation<2>>> final_;
 
   std::optional<Kept> resumed_;  ///< of the run that goes on
   Kept held_;                    ///< at the last safe point that was long before the next, or written

@@ -33,14 +33,14 @@ class Tables {
 std::string describe_quantities() {
   Tables t;
   t.begin("/discs", "The same in the whole run, of each site.");
-  t.rows_of<RunInfo>();
+  t.rows_of<RunInfo<2>>();
   t.begin("/box, /final_state/box", "The cell at the start, and at the end.");
   t.rows_of<Box<2>>();
   t.begin("/frames", "One of each frame, or of each site in each frame; contacts one after the other.");
-  t.rows_of<Frame>();
+  t.rows_of<Frame<2>>();
   t.row(first_contact);
   t.row(number_of_contacts);
-  t.rows_of<ContactRow>();
+  t.rows_of<ContactRow<2>>();
   t.begin("/frames/body, /frames/system",
           "Of each particle, and of the whole; tensors by component, as `stress_xy`.");
   for (const NamedNumber& number : numbers_in_frames) t.row(number);

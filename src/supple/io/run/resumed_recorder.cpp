@@ -90,18 +90,9 @@ void FileRecorder::take_up(const Checkpoint& checkpoint) {
   resumed_ = checkpoint.kept;
   if (segments_ > 0) {
     const RunFile run(folder_);
-    info_ = run.info();
     for (const std::string& name : run.tables()) tables_[name] = {run.columns(name), {}, false, true};
-    if (const std::int64_t frames = run.frames(); frames > 0) {
-      const Frame first = run.frame(0), last = run.frame(frames - 1);
-      first_numbers_ = first.numbers;
-      body_numbers_.emplace();
-      for (const auto& [name, values] : first.body) (*body_numbers_)[name] = values.size();
-      last_frame_.emplace();
-      last_frame_->step = last.step;
-      last_frame_->time = last.time;
-      last_frame_->position = last.position;
-    }
+    if (run.dimensions() == 2) take_up_frames<2>(run);
+    else take_up_frames<3>(run);
   }
   const h5::Group& pending = checkpoint.pending;
   if (pending.has("tables")) {
@@ -146,7 +137,8 @@ std::vector<double> FileRecorder::column(const std::string& table, const std::st
 }
 
 bool FileRecorder::has_news() const {
-  return !frames_.empty() || !values_.empty() || !warnings_.empty() ||
+  const bool frames = std::visit([](const auto& sites) { return !sites.frames.empty(); }, sites_);
+  return frames || !values_.empty() || !warnings_.empty() ||
          std::any_of(tables_.begin(), tables_.end(),
                      [](const auto& table) { return table.second.fresh || !table.second.rows.empty(); });
 }
@@ -184,11 +176,11 @@ void FileRecorder::hold(const Keep& keep, const char* where, std::int64_t number
 void FileRecorder::write_checkpoint(const Kept& kept) {
   const auto begin = Clock::now();
   try {
-    if (info_ && has_news()) write_segment();
+    if (began() && has_news()) write_segment();
     supple::write_checkpoint(folder_, case_text_,
                              {checkpoints_written_ + 1, segments_, contacts_, cpu_time(), kept, h5::Group()},
                              [&](h5::Group& pending) {
-                               if (!info_) write_numbers(pending);
+                               if (!began()) write_numbers(pending);
                              });
     ++checkpoints_written_;
     checkpoint_failed_ = false;

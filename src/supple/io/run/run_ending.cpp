@@ -27,7 +27,8 @@ bool try_to(Write&& write) {
 }
 
 /// "12 frames from t = 0.1 s on".
-std::string frame_text(std::span<const Frame> frames, const Units& units) {
+template <int Dim>
+std::string frame_text(std::span<const Frame<Dim>> frames, const Units& units) {
   const std::string unit = unit_text(units, unit::time);
   return fmt::format("{} frame{} from t = {:.6g}{} on", frames.size(), frames.size() == 1 ? "" : "s",
                      frames[0].time, unit.empty() ? "" : " " + unit);
@@ -50,7 +51,12 @@ std::ptrdiff_t whole_part(double share, std::size_t count) {
 /// After a last segment for which there was no room: the final state, then rows and frames from the first on,
 /// in pieces that become smaller as the room does. Returns what is lost; the recorder forgets it.
 std::string FileRecorder::save_what_fits() {
-  const std::vector<Frame> frames = std::exchange(frames_, {});
+  return std::visit([&](auto& sites) { return save_what_fits(sites); }, sites_);
+}
+
+template <int Dim>
+std::string FileRecorder::save_what_fits(Sites<Dim>& sites) {
+  const std::vector<Frame<Dim>> frames = std::exchange(sites.frames, {});
   std::map<std::string, std::vector<double>> rows;
   for (auto& [name, table] : tables_) rows[name] = std::exchange(table.rows, {});
   const auto rows_before = [&](double share, const std::string& name) {
@@ -59,28 +65,28 @@ std::string FileRecorder::save_what_fits() {
   };
   std::string lost;
   const auto lose = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
-  if (final_ && !try_to([&] { write_segment(); })) lose("the final state");
-  final_.reset();
+  if (sites.final_state && !try_to([&] { write_segment(); })) lose("the final state");
+  sites.final_state.reset();
 
   double saved = 0;  // share of what there was
   for (double piece = 0.5; saved < 1 && piece > 1e-3;) {
     const double end = saved + piece;
-    frames_.assign(frames.begin() + whole_part(saved, frames.size()),
-                   frames.begin() + whole_part(end, frames.size()));
+    sites.frames.assign(frames.begin() + whole_part(saved, frames.size()),
+                        frames.begin() + whole_part(end, frames.size()));
     for (auto& [name, table] : tables_)
       table.rows.assign(rows.at(name).begin() + rows_before(saved, name),
                         rows.at(name).begin() + rows_before(end, name));
     if (try_to([&] { write_segment(); })) saved = end;
     else piece /= 2;
   }
-  frames_.clear();
+  sites.frames.clear();
   for (auto& [name, table] : tables_) {
     table.rows.clear();
     const std::span<const double> left = std::span(rows.at(name)).subspan(rows_before(saved, name));
     if (!left.empty()) lose(row_text(name, table.columns, left));
   }
-  const std::span<const Frame> left = std::span(frames).subspan(whole_part(saved, frames.size()));
-  if (!left.empty()) lose(frame_text(left, info_->units));
+  const std::span<const Frame<Dim>> left = std::span(frames).subspan(whole_part(saved, frames.size()));
+  if (!left.empty()) lose(frame_text(left, units()));
   return lost;
 }
 
@@ -93,12 +99,12 @@ void FileRecorder::finish(const std::string& status) {
     warnings_.push_back(
         fmt::format("{}{}{}", place_.empty() ? "interrupted" : place_,
                     phase_share_ > 0 ? fmt::format(", {:.0f} % of: ", 100 * phase_share_) : ", ", phase_));
-  if (info_ && !has_flushed_ && try_to([&] { save_whole(status); })) {
+  if (began() && !has_flushed_ && try_to([&] { save_whole(status); })) {
     finished_ = true;
     return clean_up(status);
   }
   try {
-    if (info_) write_segment();
+    if (began()) write_segment();
   } catch (const Error& e) {
     const std::string lost = save_what_fits();
     if (segments_ == 0) throw;
@@ -110,7 +116,7 @@ void FileRecorder::finish(const std::string& status) {
   }
   finished_ = true;  // whatever the merge meets, the segments are complete
   try {
-    if (info_ && !failure_) save_merged(RunFile(folder_), status, path_, existing_);
+    if (began() && !failure_) save_merged(RunFile(folder_), status, path_, existing_);
   } catch (const Error& e) {
     failure_.emplace(e.kind(), e.what(), "", "nothing is lost: " + kept);
   }
@@ -121,7 +127,7 @@ void FileRecorder::finish(const std::string& status) {
 /// The run file, where the first segment is the only one: without a way over the disk and back.
 void FileRecorder::save_whole(const std::string& status) {
   h5::Group root = h5::create_file(path_);
-  write_header(root, case_, case_text_, *info_);
+  std::visit([&](const auto& sites) { write_header(root, case_, case_text_, *sites.info); }, sites_);
   root.set("status", status);
   write_news(root);
   h5::save(root, path_, existing_);

@@ -81,7 +81,19 @@ std::string RunFile::physics() const { return segment(0).text("physics"); }
 std::int64_t RunFile::seed() const { return segment(0).integer("seed"); }
 std::string RunFile::case_text() const { return segment(0).read_scalar<std::string>("case"); }
 Case RunFile::resolved_case() const { return read_stored_case(segment(0)); }
-RunInfo RunFile::info() const { return read_info(segment(0)); }
+int RunFile::dimensions() const { return dimensions_of(segment(0)); }
+
+void RunFile::require_dimensions(int wanted) const {
+  if (dimensions() != wanted)
+    throw file_error(path_ + " is a run in " + (wanted == 2 ? "three" : "two") + " dimensions",
+                     std::string("this is about runs in ") + (wanted == 2 ? "two" : "three"));
+}
+
+template <int Dim>
+RunInfo<Dim> RunFile::info() const {
+  require_dimensions(Dim);
+  return read_info<Dim>(segment(0));
+}
 
 std::vector<std::string> RunFile::tables() const {
   std::vector<std::string> out;
@@ -164,12 +176,14 @@ const h5::Group& RunFile::open_frames(std::size_t index) const {
   return frames_;
 }
 
-Frame RunFile::frame(std::int64_t k) const {
+template <int Dim>
+Frame<Dim> RunFile::frame(std::int64_t k) const {
   std::int64_t first = 0, contacts = 0;
   for (std::size_t s = 0; s < segments(); ++s) {
     if (k >= first && k < first + segments_[s].frames) {
-      if (!info_) info_ = info();
-      return read_frame(open_frames(s), static_cast<std::uint64_t>(k - first), contacts, *info_);
+      if (!info_ || !std::holds_alternative<RunInfo<Dim>>(*info_)) info_ = info<Dim>();
+      return read_frame(open_frames(s), static_cast<std::uint64_t>(k - first), contacts,
+                        std::get<RunInfo<Dim>>(*info_));
     }
     first += segments_[s].frames;
     contacts += segments_[s].contacts;
@@ -192,7 +206,7 @@ std::vector<double> RunFile::strains() const {
 }
 
 std::string RunFile::unit_of_bodies(const std::string& number) const {
-  if (info().units.name == reduced_units().name) {
+  if (segment(0).text("units") == reduced_units().name) {
     for (const std::string& table : tables())
       for (const Column& column : columns(table))
         if (column.name == number) return column.unit;
@@ -257,17 +271,26 @@ bool RunFile::has_final_state() const {
   return false;
 }
 
-std::pair<System<2>, Evaluation<2>> RunFile::final_state() const {
+template <int Dim>
+std::pair<System<Dim>, Evaluation<Dim>> RunFile::final_state() const {
+  require_dimensions(Dim);
   for (std::size_t s = segments(); s-- > 0;)
     if (segment(s).has("final_state")) {
       const h5::Group state = segment(s).open_group("final_state");
-      std::pair<System<2>, Evaluation<2>> both{read_system<2>(state),
-                                               read_evaluation<2>(state.open_group("evaluation"))};
+      std::pair<System<Dim>, Evaluation<Dim>> both{read_system<Dim>(state),
+                                                   read_evaluation<Dim>(state.open_group("evaluation"))};
       expect_sound(both.second.force.size() == both.first.state.position.size(), state,
                    "forces and sites differ in number");
       return both;
     }
   throw file_error(path_ + " has no final state", "its status is: " + status());
 }
+
+template RunInfo<2> RunFile::info() const;
+template RunInfo<3> RunFile::info() const;
+template Frame<2> RunFile::frame(std::int64_t) const;
+template Frame<3> RunFile::frame(std::int64_t) const;
+template std::pair<System<2>, Evaluation<2>> RunFile::final_state() const;
+template std::pair<System<3>, Evaluation<3>> RunFile::final_state() const;
 
 }  // namespace supple

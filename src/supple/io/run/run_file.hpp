@@ -32,7 +32,12 @@ class RunFile {
   /// The resolved case, as TOML text and as values.
   std::string case_text() const;
   Case resolved_case() const;
-  RunInfo info() const;
+  /// 2 or 3.
+  int dimensions() const;
+  /// What stays the same in a run of so many dimensions. This, frame() and final_state() throw a file error
+  /// where the run has others.
+  template <int Dim = 2>
+  RunInfo<Dim> info() const;
 
   std::vector<std::string> tables() const;
   bool has_table(const std::string& table) const;
@@ -44,7 +49,8 @@ class RunFile {
 
   std::int64_t frames() const;
   /// Frame k, 0 <= k < frames().
-  Frame frame(std::int64_t k) const;
+  template <int Dim = 2>
+  Frame<Dim> frame(std::int64_t k) const;
   /// The strain of every frame, without the rest of them.
   std::vector<double> strains() const;
   /// Unit of a number that frames hold of each body: as a table names it that has one of the same name for
@@ -62,7 +68,8 @@ class RunFile {
   std::vector<std::string> warnings() const;
 
   bool has_final_state() const;
-  std::pair<System<2>, Evaluation<2>> final_state() const;
+  template <int Dim = 2>
+  std::pair<System<Dim>, Evaluation<Dim>> final_state() const;
 
  private:
   friend void save_merged(const RunFile&, const std::string&, const std::string&, Existing);
@@ -71,6 +78,7 @@ class RunFile {
     std::string path;
     std::int64_t frames, contacts;  ///< rows in it
   };
+  void require_dimensions(int wanted) const;
   const h5::Group& segment(std::size_t index) const;
   /// The same; where the segment cannot be opened, the error says how to read those before it.
   const h5::Group& first_look(std::size_t index) const;
@@ -84,7 +92,7 @@ class RunFile {
   std::string path_;
   bool partial_ = false;
   std::vector<Segment> segments_;
-  mutable std::optional<RunInfo> info_;  ///< once a frame was read
+  mutable std::optional<AnyRunInfo> info_;  ///< once a frame was read
   mutable std::size_t open_index_ = static_cast<std::size_t>(-1);
   mutable h5::Group open_;                  ///< the segment last used: most calls ask for the same one again
   mutable h5::Group frames_;                ///< of the segment last used, once a frame was read

@@ -60,7 +60,9 @@ void make_sections(const h5::Object& dataset, Case& c) {
 std::string partial_folder(const std::string& path) { return path + ".partial"; }
 std::string segment_name(int index) { return fmt::format("segment-{:06}.h5", index); }
 
-void write_header(h5::Group& root, const Case& resolved, const std::string& case_text, const RunInfo& info) {
+template <int Dim>
+void write_header(h5::Group& root, const Case& resolved, const std::string& case_text,
+                  const RunInfo<Dim>& info) {
   root.set("format", std::string(run_format));
   root.set("supple_version", std::string(version()));
   root.set("compiler", std::string(__VERSION__));
@@ -86,6 +88,9 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   write_all(discs, info, info.units);
   if (!info.body_begin.empty())
     discs.write("body_begin", info.body_begin).set("meaning", "sites [k, k + 1) of these form body k");
+  if (!info.facet.empty())
+    discs.write("facet", flat(info.facet), {info.facet.size(), Dim})
+        .set("meaning", "sites of each triangle, seen counter-clockwise from outside");
 }
 
 void store_case(h5::Group& root, const Case& resolved, const std::string& case_text) {
@@ -93,15 +98,38 @@ void store_case(h5::Group& root, const Case& resolved, const std::string& case_t
   store_keys(stored, resolved);
 }
 
-RunInfo read_info(const h5::Group& root) {
-  RunInfo info;
+int dimensions_of(const h5::Group& root) {
+  const h5::Group box = root.open_group("box");
+  const h5::Shape shape = box.shape("length");
+  expect_sound(shape == h5::Shape{2} || shape == h5::Shape{3}, box, "a cell that is none");
+  return static_cast<int>(shape[0]);
+}
+
+namespace {
+
+/// The triangles of a run in 3D; each is of sites of one body.
+void read_facets(const h5::Group& discs, RunInfo<3>& info) {
+  if (discs.has("facet")) read(discs, "facet", info.facet);
+  for (const auto& triangle : info.facet)
+    for (const std::int32_t site : triangle)
+      expect_sound(0 <= site && site < static_cast<std::int64_t>(info.particle.size()) &&
+                       info.particle[site] == info.particle[triangle[0]],
+                   discs, "a triangle of sites that are not those of one body");
+}
+
+}  // namespace
+
+template <int Dim>
+RunInfo<Dim> read_info(const h5::Group& root) {
+  RunInfo<Dim> info;
   info.units = {root.text("units"), root.number("unit_length"), root.number("unit_mass"),
                 root.number("unit_time")};
   for (const double unit : {info.units.length, info.units.mass, info.units.time})
     expect_sound(std::isfinite(unit) && unit > 0, root, "a unit that is none");
   const h5::Group box = root.open_group("box"), discs = root.open_group("discs");
   read_all(box, info.box);
-  expect_sound(is_cell(info.box.length) && std::abs(info.box.strain) < far_away, box, "a cell that is none");
+  expect_sound(is_cell<Dim>(info.box.length) && std::abs(info.box.strain) < far_away, box,
+               "a cell that is none");
   read_all(discs, info);
   if (discs.has("body_begin")) info.body_begin = discs.read<std::int32_t>("body_begin");
 
@@ -116,6 +144,7 @@ RunInfo read_info(const h5::Group& root) {
                    (begin.front() == 0 && begin.back() == static_cast<std::int64_t>(sites) &&
                     std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
                discs, "its bodies do not cover the sites");
+  if constexpr (Dim == 3) read_facets(discs, info);
   return info;
 }
 
@@ -158,5 +187,10 @@ std::vector<RunValue> read_values(const h5::Group& group) {
   }
   return out;
 }
+
+template void write_header(h5::Group&, const Case&, const std::string&, const RunInfo<2>&);
+template void write_header(h5::Group&, const Case&, const std::string&, const RunInfo<3>&);
+template RunInfo<2> read_info(const h5::Group&);
+template RunInfo<3> read_info(const h5::Group&);
 
 }  // namespace supple

@@ -97,7 +97,7 @@ class RunScenes {
   }
 
   const RunFile& run_;
-  RunInfo info_;
+  RunInfo<2> info_;
   std::string color_;
   Boundary boundary_ = Boundary::rough;
   SnapshotOptions common_;
