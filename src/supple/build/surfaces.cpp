@@ -68,22 +68,25 @@ ShapeStiffness absolute_stiffness(const ShapeSpec& shape, double v0, const std::
 
 }  // namespace
 
+int nearest_geodesic(int vertices) {
+  int below = 12;
+  for (int next = 42; next <= vertices; next = 4 * next - 6) below = next;
+  const int above = vertices < below ? below : 4 * below - 6;
+  return vertices - below < above - vertices ? below : above;
+}
+
 TriangleMesh geodesic_icosahedron(int vertices, double volume) {
   if (!(volume > 0)) throw input_error(fmt::format("a surface of volume {}", volume), "it must be positive");
-  TriangleMesh mesh = icosahedron();
-  put_on_sphere(mesh);
-  int before = 0;
-  while (static_cast<int>(mesh.vertex.size()) < vertices) {
-    before = static_cast<int>(mesh.vertex.size());
-    mesh = refined(mesh);
-    put_on_sphere(mesh);
-  }
-  if (const auto n = static_cast<int>(mesh.vertex.size()); n != vertices) {
-    const int nearest = vertices - before < n - vertices && before > 0 ? before : n;
+  if (const int nearest = nearest_geodesic(vertices); nearest != vertices)
     throw input_error(
         fmt::format("a geodesic sphere of {} vertices", vertices),
         "an icosahedron whose triangles are cut into four again and again has 12, 42, 162, 642 ...",
         fmt::format("take {}", nearest));
+  TriangleMesh mesh = icosahedron();
+  put_on_sphere(mesh);
+  while (static_cast<int>(mesh.vertex.size()) < vertices) {
+    mesh = refined(mesh);
+    put_on_sphere(mesh);
   }
   const double scale = std::cbrt(volume / enclosed_volume(mesh));
   for (Vec3& x : mesh.vertex) x = scale * x;

@@ -11,6 +11,9 @@
 
 namespace supple {
 
+/// The number of vertices of a geodesic icosahedron, 10 * 4^k + 2, that is nearest to this one.
+int nearest_geodesic(int vertices);
+
 /// A geodesic icosahedron: the triangles of an icosahedron cut into four again and again, all vertices on one
 /// sphere about the origin, with this enclosed volume [length^3]. `vertices` is 12, 42, 162, 642 or a later
 /// 10 * 4^k + 2; input error with the nearest of them otherwise.

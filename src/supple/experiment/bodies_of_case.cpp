@@ -10,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/core/random.hpp"
@@ -31,27 +32,12 @@ using std::numbers::pi;
 
 Outline outline_of(const Case& c) { return c.contact.kind == "smooth" ? Outline::smooth : Outline::rough; }
 
-/// p^2/(4 pi a) that a particle prefers; 0: of the regular polygon.
-double preferred_shape_parameter(const ParticleKind& p) {
-  if (!is_soft(p)) return 0;
-  return p.shape_ratio > 0 ? p.shape_ratio * least_shape_parameter(p.vertices) : p.shape_parameter;
-}
-
-ShapeSpec shape_spec(const Case& c, const ParticleKind& p) {
-  return {p.k_a,
-          p.k_l,
-          p.k_b,
-          p.gamma,
-          c.bodies.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
-          preferred_shape_parameter(p)};
-}
-
 double preferred_area(const Species& s) { return s.diameter * s.diameter; }
 
 /// With edges too long for it the regular polygon is a saddle: it would stay one to rounding. A small push
 /// lets it buckle, another one each particle.
-bool buckles(const ParticleKind& p) {
-  return is_soft(p) && preferred_shape_parameter(p) > least_shape_parameter(p.vertices) * (1 + 1e-9);
+bool buckles(const Case& c, const ParticleKind& p) {
+  return is_soft(p) && preferred_shape_parameter(c, p) > least_shape_parameter(c, p) * (1 + 1e-9);
 }
 
 /// Largest push of a vertex, over its distance from the centre: a quarter of an edge at most, or a ring of
@@ -75,7 +61,7 @@ void add_particle(const Case& c, const Species& species, int body, const Vec2& c
         c.bodies.stiffness == "relative" ? species.k_perimeter / (rest * rest) : species.k_perimeter;
     set_body_term(system.terms, Perimeter::name, index, std::array{stiffness, rest});
   }
-  if (!buckles(species)) return;
+  if (!buckles(c, species)) return;
   const double push = largest_push(species.vertices);
   for (int i = system.topology.begin[index]; i < system.topology.begin[index + 1]; ++i)
     system.state.position[i] += push * draw.uniform(-1, 1) * (system.state.position[i] - centre);
@@ -146,7 +132,7 @@ LooseBody measure_here(const Case& c, const Species& species, int body) {
 std::map<const Species*, LooseBody> measure_kinds(const Case& c, const std::vector<Species>& all) {
   std::map<const Species*, LooseBody> found;
   for (const Species& s : all)
-    if (!buckles(s)) found[&s] = measure_here(c, s, 0);
+    if (!buckles(c, s)) found[&s] = measure_here(c, s, 0);
   return found;
 }
 
@@ -169,8 +155,31 @@ std::vector<Species> species_of(const Case& c) {
   return all;
 }
 
-bool is_disc(const ParticleKind& kind) { return kind.family == "disc"; }
+bool is_disc(const ParticleKind& kind) { return kind.family == "disc" || kind.family == "sphere"; }
 bool is_soft(const ParticleKind& kind) { return !is_disc(kind) && kind.family != "rough_disc"; }
+
+double least_shape_parameter(const Case& c, const ParticleKind& kind) {
+  if (c.bodies.dimensions == 2) return least_shape_parameter(kind.vertices);
+  if (is_disc(kind) || nearest_geodesic(kind.vertices) != kind.vertices) return 1;
+  const TriangleMesh mesh = geodesic_icosahedron(kind.vertices);
+  const std::vector<double> areas = face_areas(mesh);
+  return surface_shape_parameter(std::accumulate(areas.begin(), areas.end(), 0.0), enclosed_volume(mesh));
+}
+
+double preferred_shape_parameter(const Case& c, const ParticleKind& kind) {
+  if (!is_soft(kind)) return 0;
+  return kind.shape_ratio > 0 ? kind.shape_ratio * least_shape_parameter(c, kind) : kind.shape_parameter;
+}
+
+ShapeSpec shape_spec(const Case& c, const ParticleKind& kind) {
+  const bool flat = c.bodies.dimensions == 2;
+  return {flat ? kind.k_a : kind.k_v,
+          flat ? kind.k_l : kind.k_a,
+          kind.k_b,
+          kind.gamma,
+          c.bodies.stiffness == "relative" ? StiffnessKind::relative : StiffnessKind::absolute,
+          preferred_shape_parameter(c, kind)};
+}
 
 bool has_polygons(const Case& c) {
   const std::vector<Species> all = species_of(c);
@@ -213,7 +222,7 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
     for (auto b = static_cast<int>(begin); b < end; ++b) {
       const auto known = kinds.find(species[b]);
       const auto measured = [&] {
-        if (buckles(*species[b]))
+        if (buckles(c, *species[b]))
           return set_apart ? measure_here(c, *species[b], b, *set_apart, b) : measure_here(c, *species[b], b);
         // Every packing follows, to the last bit, from areas there.
         return known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);

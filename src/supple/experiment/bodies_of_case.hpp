@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "supple/experiment/case.hpp"
+#include "supple/model/polygons.hpp"
 #include "supple/model/system.hpp"
 #include "supple/observe/packing_fraction.hpp"
 
@@ -19,6 +20,13 @@ std::vector<Species> species_of(const Case& c);
 bool is_disc(const ParticleKind& kind);
 /// Whether it has a shape energy: neither discs nor rigid polygons do.
 bool is_soft(const ParticleKind& kind);
+/// The least shape parameter that a particle of so many vertices can have: of the regular polygon, or of the
+/// geodesic sphere; 1 where there is none of so many.
+double least_shape_parameter(const Case& c, const ParticleKind& kind);
+/// What the kind prefers; 0: the least.
+double preferred_shape_parameter(const Case& c, const ParticleKind& kind);
+/// Its shape energy, before its size is known: in 3D k_v and k_a stand for area and length.
+ShapeSpec shape_spec(const Case& c, const ParticleKind& kind);
 /// Any of the species.
 bool has_polygons(const Case& c);
 bool has_soft(const Case& c);

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <map>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/core/duration.hpp"
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/cost.hpp"
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/matter.hpp"
 #include "supple/experiment/pairs_of_case.hpp"
-#include "supple/model/polygons.hpp"
 
 namespace supple {
 
@@ -37,10 +37,11 @@ double vertices_within_widths(const Case& c) {
   double sum = 0;
   for (const Species& s : species_of(c)) {
     if (is_disc(s)) continue;
-    const double least = least_shape_parameter(s.vertices);
+    const double least = least_shape_parameter(c, s);
     const double given = s.shape_ratio > 0 ? s.shape_ratio * least : s.shape_parameter;
     const double wanted = is_soft(s) ? std::max(given, least) : least;
-    const double within = s.diameter_ratio * std::sqrt(wanted / least);  // edges are those of the regular one
+    const double edges = s.diameter_ratio * std::sqrt(wanted / least);             // those of the regular one
+    const double within = c.bodies.dimensions == 2 ? edges : 3.6 * edges * edges;  // six at one edge
     sum += 1.0 * s.count * s.vertices * std::clamp(within, 1.0, 1.0 * s.vertices);
   }
   return sum;
@@ -72,13 +73,37 @@ void check_ratio(const Case& c, const std::string& key, double ratio, Problems& 
                 "give 1 or more, or 0 for the default");
 }
 
+/// What particles of so many dimensions are made of.
+void check_dimensions(const Case& c, const std::string& section, const ParticleKind& p, Problems& problems) {
+  const bool flat = c.bodies.dimensions == 2;
+  const auto refuse = [&](const std::string& what, const std::string& why, const std::string& to_do) {
+    add_problem(problems, c, fmt::format("{}.{} with bodies.dim = {}", section, what, c.bodies.dimensions),
+                why, to_do);
+  };
+  if (flat && p.family == "sphere")
+    refuse("family = \"sphere\"", "spheres are of three dimensions",
+           "set family = \"disc\", or bodies.dim = 3");
+  if (!flat && p.family == "disc")
+    refuse("family = \"disc\"", "discs are of two dimensions", "set family = \"sphere\"");
+  if (!flat && p.family == "rough_disc")
+    refuse("family = \"rough_disc\"", "discs are of two dimensions",
+           "set family = \"shell\", with a large stiffness");
+  if (const int nearest = nearest_geodesic(p.vertices); !flat && !is_disc(p) && nearest != p.vertices)
+    refuse(fmt::format("vertices = {}", p.vertices),
+           "a geodesic sphere has 12, 42, 162, 642 ... of them: triangles of an icosahedron cut into four",
+           fmt::format("take {}", nearest));
+}
+
 void check_kind(const Case& c, const std::string& section, const ParticleKind& p, Problems& problems) {
-  const double least = least_shape_parameter(p.vertices);
+  const bool flat = c.bodies.dimensions == 2;
+  check_dimensions(c, section, p, problems);
+  const double least = least_shape_parameter(c, p);
   if (!is_disc(p) && p.shape_parameter > 0 && p.shape_parameter < least * (1 - 1e-12))
     add_problem(problems, c,
                 fmt::format("{0}.A0 = {1} with {0}.vertices = {2}", section, p.shape_parameter, p.vertices),
-                fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least),
-                "raise A0, or 0 for the regular polygon");
+                flat ? fmt::format("p^2/(4 pi a) of a polygon is at least N tan(pi/N)/pi = {:.6f}", least)
+                     : fmt::format("s^1.5/(6 sqrt(pi) v) of the geodesic sphere is {:.6f}", least),
+                flat ? "raise A0, or 0 for the regular polygon" : "raise A0, or 0 for the geodesic sphere");
   if (c.is_given(section + ".A0") && p.shape_ratio > 0)
     add_problem(problems, c, fmt::format("{0}.A0 and {0}.A0_ratio", section),
                 "the second is the first over that of the regular polygon", "leave one away");
@@ -98,8 +123,8 @@ void check_species(const Case& c, Problems& problems) {
   if (std::none_of(c.given.begin(), c.given.end(), is_of_species)) return;  // none, or those of a state
   for (const Field<Bodies>& field : fields<Bodies>()) {
     const std::string key = fmt::format("bodies.{}", field.name);
-    const bool of_all =
-        field.name == "stiffness" || field.name == "yield_strain" || field.name == "flow_time";
+    const bool of_all = field.name == "dim" || field.name == "stiffness" || field.name == "yield_strain" ||
+                        field.name == "flow_time";
     if (!of_all && c.is_given(key))
       add_problem(problems, c, key + " with [[species]]", "these say what particles there are",
                   "give it in [[species]] in its place");
@@ -121,20 +146,21 @@ void check_bodies(const Case& c, Start, Problems& problems) {
 }
 
 void doubt_kind(const Case& c, const std::string& section, const ParticleKind& p, Doubts& doubts) {
+  const bool flat = c.bodies.dimensions == 2;
   if (p.family == "floppy" && p.k_b > 0)
     doubts.push_back(fmt::format("{}.k_b > 0: floppy particles have none, these are shells", section));
-  if (!is_disc(p) && c.contact.kind == "rough" && p.diameter_ratio < 1)
+  if (flat && !is_disc(p) && c.contact.kind == "rough" && p.diameter_ratio < 1)
     doubts.push_back(fmt::format(
         "{}.diameter_ratio = {}: edges are {:.3g} times as long as vertices are wide{}", section,
         p.diameter_ratio, 1 / p.diameter_ratio,
         p.diameter_ratio > 0.5
             ? "; from 2 on, stretched edges among them, vertices of others pass between two vertices"
             : ", so that vertices of other particles pass between two vertices"));
-  if (is_soft(p) && p.gamma > 0 && p.k_l < 0.1 * p.gamma)
+  if (const double k = flat ? p.k_l : p.k_a; is_soft(p) && p.gamma > 0 && k < 0.1 * p.gamma)
     doubts.push_back(
-        fmt::format("{}.gamma = {} with k_l = {}: line tension alone does not keep vertices apart. They "
-                    "gather, and edges get so long that others pass; give k_l of 0.1 gamma or more",
-                    section, p.gamma, p.k_l));
+        fmt::format("{0}.gamma = {1} with {2} = {3}: {4} tension alone does not keep vertices apart. They "
+                    "gather, and edges get so long that others pass; give {2} of 0.1 gamma or more",
+                    section, p.gamma, flat ? "k_l" : "k_a", k, flat ? "line" : "surface"));
 }
 
 void doubt_bodies(const Case& c, Doubts& doubts) {

@@ -81,13 +81,15 @@ struct ParticleKind {
   double shape_parameter = 0;  ///< 0: of the regular polygon
   double shape_ratio = 0;      ///< over that of the regular polygon; 0: not given
   double diameter_ratio = 1;
-  double k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;  ///< defaults of the family "shell"; see resolve_family
+  /// Defaults of the family "shell"; see resolve_family. In 3D k_v is of the volume and k_a of triangles.
+  double k_v = 1, k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;
   double k_perimeter = 0;
 };
 
-/// Deformable particles of one kind and two sizes, in units in which the preferred area of a small one is 1;
-/// and what holds for particles of any kind.
+/// Deformable particles of one kind and two sizes, in units in which the preferred area (3D: volume) of a
+/// small one is 1; and what holds for particles of any kind.
 struct Bodies : ParticleKind {
+  int dimensions = 2;
   std::string vertex_rule = "equal";
   double size_ratio = 1.4, large_fraction = 0.5;
   double shape_ratio_large = 0;  ///< 0: as of small ones

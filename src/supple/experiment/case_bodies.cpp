@@ -13,29 +13,48 @@ Fields<P> fields_of_kind() {
       {"family",
        &P::family,
        "",
-       "shape energy (Table 9.1), or smooth discs, or rigid polygons",
+       "shape energy (Table 9.1), or smooth discs (3D: spheres), or rigid polygons",
        any_value,
-       {"shell", "floppy", "droplet", "disc", "rough_disc"}},
+       {"shell", "floppy", "droplet", "disc", "rough_disc", "sphere"}},
       {"N", &P::count, "", "number of particles", {1, 1e6}},
-      {"vertices", &P::vertices, "", "vertices of a small particle", {3, 1e5}},
+      {"vertices",
+       &P::vertices,
+       "",
+       "vertices of a small particle; 3D: 12, 42, 162, 642, ... of a geodesic sphere, 42 unless given",
+       {3, 1e5}},
       {"A0", &P::shape_parameter, "",
-       "preferred p^2/(4 pi a); 0: of the regular polygon, the least. Floppy: 1.04 unless given",
+       "preferred p^2/(4 pi a) (3D: s^1.5/(6 sqrt(pi) v)); 0: of the regular polygon (geodesic sphere). "
+       "Floppy: "
+       "1.04 unless given",
        not_negative},
       {"A0_ratio", &P::shape_ratio, "",
-       "the same over N tan(pi/N)/pi, that of the regular polygon of each particle: in place of A0",
+       "the same over that of the regular polygon (geodesic sphere), N tan(pi/N)/pi: in place of A0",
        not_negative},
       {"diameter_ratio", &P::diameter_ratio, "", "vertex diameter sigma over preferred edge length",
        positive},
-      {"k_a", &P::k_a, "", "stiffness of the area", not_negative, {}, Role::number},
+      {"k_v", &P::k_v, "", "stiffness of the volume, in 3D", not_negative, {}, Role::number},
+      {"k_a",
+       &P::k_a,
+       "",
+       "stiffness of the area; 3D: of triangles, droplet: 0.1 unless given",
+       not_negative,
+       {},
+       Role::number},
       {"k_l", &P::k_l, "", "stiffness of edges; droplet: 0.1 unless given", not_negative, {}, Role::number},
       {"k_b",
        &P::k_b,
        "",
-       "stiffness of corners; floppy, droplet: 0 unless given",
+       "stiffness of corners (3D: of edges); floppy, droplet: 0 unless given",
        not_negative,
        {},
        Role::number},
-      {"gamma", &P::gamma, "", "line tension; droplet: 0.2 unless given", not_negative, {}, Role::number},
+      {"gamma",
+       &P::gamma,
+       "",
+       "line (3D: surface) tension; droplet: 0.2 unless given",
+       not_negative,
+       {},
+       Role::number},
       {"k_perimeter", &P::k_perimeter, "", "stiffness of the whole perimeter, beside that of its edges",
        not_negative},
   };
@@ -61,7 +80,7 @@ const Fields<Species>& fields() {
                              "by which [contact.A.B] calls it; empty: by its place, 1 for the first"});
     all.insert(all.begin() + 3,
                {"diameter", &Species::diameter, "",
-                "of the disc with its preferred area, over that of a disc of area 1", positive});
+                "of the disc (3D: sphere) with its preferred area, over that of area (volume) 1", positive});
     for (Field<Species>& field : all) {
       if (field.name == "vertices") field.meaning = "vertices of a particle";
       field.role = Role::sample;
@@ -75,6 +94,11 @@ template <>
 const Fields<Bodies>& fields() {
   using B = Bodies;
   static const Fields<B> more{
+      {"dim",
+       &B::dimensions,
+       "",
+       "dimensions: 2, polygons and discs; 3, triangulated surfaces and spheres",
+       {2, 3}},
       {"vertex_rule",
        &B::vertex_rule,
        "",
@@ -111,9 +135,27 @@ const Fields<Bodies>& fields() {
   static const Fields<B> f = [] {
     Fields<B> all = fields_of_kind<B>();
     all.insert(all.end(), more.begin(), more.end());
-    all = in_order(all, {"family", "N", "vertices", "vertex_rule", "size_ratio", "large_fraction", "A0",
-                         "A0_ratio", "A0_ratio_large", "diameter_ratio", "stiffness", "k_a", "k_l", "k_b",
-                         "gamma", "k_perimeter", "discs", "yield_strain", "flow_time"});
+    all = in_order(all, {"dim",
+                         "family",
+                         "N",
+                         "vertices",
+                         "vertex_rule",
+                         "size_ratio",
+                         "large_fraction",
+                         "A0",
+                         "A0_ratio",
+                         "A0_ratio_large",
+                         "diameter_ratio",
+                         "stiffness",
+                         "k_v",
+                         "k_a",
+                         "k_l",
+                         "k_b",
+                         "gamma",
+                         "k_perimeter",
+                         "discs",
+                         "yield_strain",
+                         "flow_time"});
     return with_role(Role::sample, all);
   }();
   return f;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/used_keys.hpp"
-#include "supple/model/polygons.hpp"
 
 namespace supple {
 
@@ -14,20 +14,25 @@ namespace {
 
 /// A0 = 1.04, or 1 % above the least where few vertices cannot have that: at the least itself a floppy
 /// particle has one zero mode more [MacKeith 2025, section 9.2], and no minimisation ends soon.
-double floppy_shape_parameter(int vertices) { return std::max(1.04, 1.01 * least_shape_parameter(vertices)); }
+double floppy_shape_parameter(const Case& c, const ParticleKind& p) {
+  return std::max(1.04, 1.01 * least_shape_parameter(c, p));
+}
 
 void complete_family(const Case& c, const std::string& section, ParticleKind& p) {
-  const auto unless_given = [&](const char* key, double& value, double of_family) {
+  const auto unless_given = [&](const char* key, auto& value, auto of_family) {
     if (!c.is_given(fmt::format("{}.{}", section, key))) value = of_family;
   };
+  const bool flat = c.bodies.dimensions == 2;
+  if (!flat) unless_given("vertices", p.vertices, 42);
   if (p.family == "floppy") {
-    unless_given("k_b", p.k_b, 0);
+    unless_given("k_b", p.k_b, 0.0);
     if (p.shape_parameter == 0 && p.shape_ratio == 0)
-      unless_given("A0", p.shape_parameter, floppy_shape_parameter(p.vertices));
+      unless_given("A0", p.shape_parameter, floppy_shape_parameter(c, p));
   }
   if (p.family == "droplet") {
-    unless_given("k_b", p.k_b, 0);
-    unless_given("k_l", p.k_l, 0.1);
+    unless_given("k_b", p.k_b, 0.0);
+    if (flat) unless_given("k_l", p.k_l, 0.1);
+    else unless_given("k_a", p.k_a, 0.1);
     unless_given("gamma", p.gamma, 0.2);
   }
 }

@@ -41,43 +41,70 @@ void check(const SurfaceSample& s) {
                       "spheres fill no more than 0.74 of a cell", "start at a lower one, and compress");
 }
 
+const double unit_radius = std::cbrt(3 / (4 * pi));  // of the sphere of volume 1
+
+bool is_sphere(const SurfaceKind& kind) { return kind.vertices == 1; }
+
+/// The surface of volume 1.
+TriangleMesh unit_mesh(const SurfaceKind& kind) {
+  return is_sphere(kind) ? TriangleMesh{} : geodesic_icosahedron(kind.vertices);
+}
+
+/// Adds particle `body` of this kind about a centre.
+void add_particle(const SurfaceKind& kind, const TriangleMesh& unit, int body, const Vec3& centre,
+                  std::int64_t seed, System<3>& system) {
+  if (is_sphere(kind)) return add_sphere_body(system, centre, kind.diameter * unit_radius);
+  RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_angle, static_cast<std::uint64_t>(body));
+  TriangleMesh mesh = unit;
+  for (Vec3& x : mesh.vertex) x = kind.diameter * x;
+  turn(mesh, draw);
+  const auto first = static_cast<std::size_t>(system.state.size());
+  add_surface(system, mesh, kind.diameter_ratio, kind.shape);
+  if (kind.shape.shape_parameter > 0) push(mesh, draw);
+  for (std::size_t k = 0; k < mesh.vertex.size(); ++k)
+    system.state.position[first + k] = mesh.vertex[k] + centre;
+}
+
 }  // namespace
+
+std::vector<double> enclosing_radii(const std::vector<SurfaceKind>& kinds) {
+  std::vector<double> radius;
+  for (const SurfaceKind& kind : kinds) {
+    const TriangleMesh unit = unit_mesh(kind);
+    const double reach =
+        is_sphere(kind) ? unit_radius : norm(unit.vertex[0]) + 0.5 * kind.diameter_ratio * mean_edge(unit);
+    radius.insert(radius.end(), static_cast<std::size_t>(kind.count), kind.diameter * reach);
+  }
+  return radius;
+}
+
+System<3> surfaces_about(const std::vector<SurfaceKind>& kinds, const std::vector<Vec3>& centre,
+                         const Box<3>& box, std::int64_t seed) {
+  System<3> system;
+  system.box = box;
+  int body = 0;
+  for (const SurfaceKind& kind : kinds) {
+    const TriangleMesh unit = unit_mesh(kind);
+    for (int k = 0; k < kind.count; ++k, ++body)
+      add_particle(kind, unit, body, centre.at(static_cast<std::size_t>(body)), seed, system);
+  }
+  return system;
+}
 
 System<3> random_surfaces(const SurfaceSample& sample, const std::function<bool()>& stop_requested) {
   check(sample);
-  const auto large = static_cast<int>(std::lround(sample.large_fraction * sample.count));
-  const bool round = sample.vertices == 1;
-  const TriangleMesh unit = round ? TriangleMesh{} : geodesic_icosahedron(sample.vertices);
-  const double sphere = std::cbrt(3 / (4 * pi));  // radius of volume 1
-  const double reach = round ? sphere : norm(unit.vertex[0]) + 0.5 * sample.diameter_ratio * mean_edge(unit);
-  std::vector<double> size, radius;
+  SurfaceKind small{sample.count, sample.vertices, 1, sample.diameter_ratio, sample.shape}, large = small;
+  large.count = static_cast<int>(std::lround(sample.large_fraction * sample.count));
+  large.diameter = sample.size_ratio;
+  small.count -= large.count;
+  const std::vector<SurfaceKind> kinds{small, large};
+  const std::vector<double> radius = enclosing_radii(kinds);
   double enclosed = 0;
-  for (int b = 0; b < sample.count; ++b) {
-    size.push_back(b < sample.count - large ? 1 : sample.size_ratio);
-    radius.push_back(size.back() * reach);
-    enclosed += 4 * pi / 3 * std::pow(radius.back(), 3);
-  }
-  System<3> system;
+  for (const double r : radius) enclosed += 4 * pi / 3 * std::pow(r, 3);
+  Box<3> box;
   const double length = std::cbrt(enclosed / sample.packing_fraction);
-  system.box.length = {length, length, length};
-  const std::vector<Vec3> centre = random_centres(radius, system.box, sample.seed, stop_requested);
-  for (int b = 0; b < sample.count; ++b) {
-    if (round) {
-      add_sphere_body(system, centre[b], radius[b]);
-      continue;
-    }
-    RandomStream draw(static_cast<std::uint64_t>(sample.seed), Purpose::body_angle,
-                      static_cast<std::uint64_t>(b));
-    TriangleMesh mesh = unit;
-    for (Vec3& x : mesh.vertex) x = size[b] * x;
-    turn(mesh, draw);
-    add_surface(system, mesh, sample.diameter_ratio, sample.shape);
-    const auto first = static_cast<std::size_t>(system.topology.begin[b]);
-    if (sample.shape.shape_parameter > 0) push(mesh, draw);
-    for (std::size_t k = 0; k < mesh.vertex.size(); ++k)
-      system.state.position[first + k] = mesh.vertex[k] + centre[b];
-  }
-  return system;
+  box.length = {length, length, length};
+  return surfaces_about(kinds, random_centres(radius, box, sample.seed, stop_requested), box, sample.seed);
 }
 
 }  // namespace supple
