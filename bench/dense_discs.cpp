@@ -68,7 +68,7 @@ DiscLaw dense_law() {
   return {s, s, Tensile{}, 0.5, Slip::clamp, LeverArm::distance};
 }
 
-Mover dense_dynamics(double relative_skin) {
+Mover<2> dense_dynamics(double relative_skin) {
   return Mover(ForceField<2>(DiscContacts(Divergent(0), dense_law()), relative_skin));
 }
 

@@ -17,7 +17,7 @@ inline constexpr double time_step = 0.02;
 /// Linear repulsion with tangential springs as stiff, light damping (so that motion lasts), friction
 /// coefficient 0.5.
 DiscLaw dense_law();
-Mover dense_dynamics(double relative_skin = default_skin);
+Mover<2> dense_dynamics(double relative_skin = default_skin);
 
 /// Random discs numbered along a space-filling curve, relaxed without friction, then set in motion.
 System<2> dense_discs(const DenseSpec& spec);

@@ -27,7 +27,7 @@ Suspension free_discs() {
   s.units = small_units;
   s.time_step = 1e-3;
   s.damping = factor;
-  s.stepper = std::make_unique<Mover>(ForceField<2>(DiscContacts(Divergent(0), law)));
+  s.stepper = std::make_unique<Mover<2>>(ForceField<2>(DiscContacts(Divergent(0), law)));
   s.system.box.length = {50, 50};
   State<2>& state = s.system.state;
   state.resize(4);
@@ -130,9 +130,9 @@ void expect_closed(const MemoryRecorder& r) {
   ASSERT_GT(work, 0);
   const MemoryRecorder::Table& rows = r.tables.at("energy");
   EXPECT_EQ(opening, rows.column("total").front());
-  EnergyBalance account;
+  EnergyBalance<2> account;
   account.resume(r.last_system, opening, booked);
-  const std::unique_ptr<Mover> dynamics = testing::documented_dynamics(oscillation());
+  const std::unique_ptr<Mover<2>> dynamics = testing::documented_dynamics(oscillation());
   dynamics->set_account(&account);
   System<2> again = r.last_system;
   // What the forces of this instant lose, at the rate that its step had or would have had.

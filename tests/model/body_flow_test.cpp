@@ -69,7 +69,7 @@ TEST(BodyFlow, DragTakesTheMotionOfBodiesAndLeavesThatOfTheirShapes) {
     EXPECT_NEAR(norm(is.velocity - u - 0.25 * (was.velocity - u)), 0, 1e-13);
     EXPECT_NEAR(is.spin + 0.15, 0.25 * (was.spin + 0.15), 1e-13);
     for (int i = s.topology.body_begin(b); i < s.topology.body_end(b); ++i) {
-      const auto own = [&](const System<2>& of, const BodyMotion& m) {
+      const auto own = [&](const System<2>& of, const BodyMotion<2>& m) {
         return of.state.velocity[i] - m.velocity - m.spin * turned_left(of.state.position[i] - m.centre);
       };
       EXPECT_NEAR(norm(own(s, is) - own(before, was)), 0, 1e-13);

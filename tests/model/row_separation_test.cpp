@@ -24,7 +24,7 @@ System<2> parting_pair(double x_first) {
   return system;
 }
 
-Mover linear_springs() {
+Mover<2> linear_springs() {
   const PairStiffness spring{1, 0, 0, 0};
   return Mover(ForceField<2>(DiscContacts(Divergent(0), {spring, spring, Tensile{}, 0, Slip::clamp})));
 }

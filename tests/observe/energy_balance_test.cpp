@@ -32,7 +32,7 @@ Outcome run(System<2> s, PairStiffness contact, double friction, double damping,
   const DiscLaw law{contact, contact, Tensile{}, friction, Slip::clamp, LeverArm::distance};
   Mover dynamics{ForceField<2>(DiscContacts(Divergent(0), law))};
   dynamics.set_plates(plates);
-  EnergyBalance balance;
+  EnergyBalance<2> balance;
   dynamics.set_account(&balance);
   const Evaluation<2>& now = dynamics.evaluate(s, rates);
   balance.open(s, now);
@@ -114,7 +114,7 @@ TEST(EnergyAccount, OpensBetweenTwoSteps) {
   Mover dynamics{ForceField<2>(
       DiscContacts(Divergent(0), {contact, contact, Tensile{}, 0.3, Slip::clamp, LeverArm::distance}))};
   s.state.spin = {3, 1};
-  EnergyBalance balance;
+  EnergyBalance<2> balance;
   dynamics.set_account(&balance);
   for (int i = 0; i < 600; ++i) {
     const Evaluation<2>& now = dynamics.evaluate(s, {});

@@ -42,7 +42,7 @@ End moved(System<2> system, int steps, bool sheared) {
   ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{5}));
   field.add(LinkForces(LinkLaw{3, 0.8, 2, 0.5}));
   Mover mover(std::move(field));
-  EnergyBalance balance;
+  EnergyBalance<2> balance;
   mover.set_account(&balance);
   const double dt = 2.0 / steps;
   const auto strain = [&](double t) { return sheared ? 0.05 * std::sin(3 * t) : 0; };

@@ -26,9 +26,9 @@ struct Account {
 
 /// One cycle of 20 % strain in so many steps, from this state.
 Account shear_one_cycle(System<2> system, const Case& c, int steps) {
-  const std::unique_ptr<Mover> dynamics = testing::documented_dynamics(c);
+  const std::unique_ptr<Mover<2>> dynamics = testing::documented_dynamics(c);
   const OscillatoryProtocol protocol = testing::one_cycle(c, steps);
-  EnergyBalance balance;
+  EnergyBalance<2> balance;
   dynamics->set_account(&balance);
   const Evaluation<2>& now = dynamics->evaluate(system, {});
   balance.open(system, now);

@@ -30,7 +30,7 @@ constexpr int steps_per_cycle = 2240, steps = 1000;
 /// From this state, under oscillating shear or at the constant rate of its start.
 enum class Rate { oscillating, constant };
 Outcome sheared(System<2> system, const Case& c, Rate rate, double damping) {
-  const std::unique_ptr<Mover> dynamics = testing::documented_dynamics(c);
+  const std::unique_ptr<Mover<2>> dynamics = testing::documented_dynamics(c);
   const OscillatoryProtocol protocol = testing::one_cycle(c, steps_per_cycle);
   for (int i = 0; i < steps; ++i) {
     const ShearRates rates = protocol.rates(rate == Rate::constant ? 0 : i);
@@ -107,7 +107,7 @@ TEST(LeesEdwards, ForcesOfAWholeCycleAreThoseOfAllPairs) {
   Case c = plain_cell();
   c.shear.amplitude = 0.7;
   System<2> system = flowing(c);
-  const std::unique_ptr<Mover> dynamics = testing::documented_dynamics(c);
+  const std::unique_ptr<Mover<2>> dynamics = testing::documented_dynamics(c);
   DiscContacts contacts = dynamics->forces().contacts();
   const OscillatoryProtocol protocol = testing::one_cycle(c, steps_per_cycle);
   int checked = 0;

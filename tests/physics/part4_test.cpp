@@ -63,12 +63,12 @@ class Discs {
   }
   const Evaluation<2>& evaluation() { return dynamics_.evaluate(system, {}); }
   StressTensors tensors() { return stress_tensors(system, evaluation()); }
-  Momenta momenta() { return supple::momenta(system, evaluation()); }
+  Momenta<2> momenta() { return supple::momenta(system, evaluation()); }
 
   System<2> system;
 
  private:
-  Mover dynamics_;
+  Mover<2> dynamics_;
   Plates plates_;
 };
 

@@ -103,7 +103,7 @@ System<2> cluster() {
   return system;
 }
 
-Mover rubbing(bool smooth) {
+Mover<2> rubbing(bool smooth) {
   std::shared_ptr<BodyContacts<2>> contacts;
   if (smooth) contacts = std::make_shared<SmoothContacts>(Harmonic{5});
   else contacts = std::make_shared<RoughContacts<2>>(Harmonic{5});
@@ -113,7 +113,7 @@ Mover rubbing(bool smooth) {
   return Mover(std::move(field));
 }
 
-void run(System<2>& s, Mover& d, int steps, double rate = 0, double damping = 1) {
+void run(System<2>& s, Mover<2>& d, int steps, double rate = 0, double damping = 1) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {rate, rate});
     d.advance(s, {rate, rate}, 0.01, damping);

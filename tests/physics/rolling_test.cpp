@@ -62,7 +62,7 @@ class Rolling {
       mover_.advance(system_, {}, dt, 1);
     }
   }
-  BodyMotion wheel() const { return body_motion(system_, 1); }
+  BodyMotion<2> wheel() const { return body_motion(system_, 1); }
   double lost() const { return lost_; }
 
  private:
@@ -74,7 +74,7 @@ class Rolling {
   }
 
   System<2> system_;
-  Mover mover_;
+  Mover<2> mover_;
   double lost_ = 0;
 };
 

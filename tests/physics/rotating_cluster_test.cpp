@@ -12,12 +12,12 @@ namespace {
 
 constexpr double dt = 1e-3, spin = 2 * std::numbers::pi / 10;  // a turn takes 10
 
-Mover dynamics(LeverArm arm) {
+Mover<2> dynamics(LeverArm arm) {
   const PairStiffness s{100, 0.5, 80, 0.4};
   return Mover(ForceField<2>(DiscContacts(Divergent(1), {s, s, Tensile{}, 0.3, Slip::clamp, arm})));
 }
 
-void run(System<2>& s, Mover& d, int steps, double damping = 1) {
+void run(System<2>& s, Mover<2>& d, int steps, double damping = 1) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {});
     d.advance(s, {}, dt, damping);
@@ -25,7 +25,7 @@ void run(System<2>& s, Mover& d, int steps, double damping = 1) {
 }
 
 /// A large disc amid six of two sizes, all neighbours linked, some compressed and some stretched, at rest.
-System<2> cluster(Mover& d) {
+System<2> cluster(Mover<2>& d) {
   System<2> s;
   s.box.length = {50, 50};
   s.state.resize(7);

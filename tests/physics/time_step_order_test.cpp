@@ -50,7 +50,7 @@ End moved(const Ride& m, int steps) {
   mover.evaluate(s);
   if (m.linked)
     for (int row = 0; row < s.pairs.size(); ++row) s.pairs.state[row] = ContactState::permanent;
-  EnergyBalance balance;
+  EnergyBalance<2> balance;
   mover.set_account(&balance);
   const double dt = m.duration / steps;
   const auto rates = [&](int k) {

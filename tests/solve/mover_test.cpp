@@ -12,11 +12,11 @@ DiscLaw law(double friction) {
   return {s, s, Tensile{}, friction, Slip::clamp, LeverArm::distance};
 }
 
-Mover dynamics(double friction = 0.3) {
+Mover<2> dynamics(double friction = 0.3) {
   return Mover(ForceField<2>(DiscContacts(Divergent(1), law(friction))));
 }
 
-void run(System<2>& s, Mover& d, int steps, double rate = 0.3, double dt = 1e-3) {
+void run(System<2>& s, Mover<2>& d, int steps, double rate = 0.3, double dt = 1e-3) {
   for (int i = 0; i < steps; ++i) {
     d.evaluate(s, {rate, rate});
     d.advance(s, {rate, rate}, dt, 0.999);

@@ -136,7 +136,7 @@ struct Pulled {
     width_after = width();
   }
   double width() const { return system.state.position[0][0] - system.state.position[6][0]; }
-  void run(Mover& dynamics, double dt, double time) {
+  void run(Mover<2>& dynamics, double dt, double time) {
     const double end = system.time + time;
     while (system.time < end) dynamics.advance(system, dt);
   }

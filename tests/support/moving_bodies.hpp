@@ -38,7 +38,7 @@ inline System<2> warm_shells(int bodies, int rigid = 0, double speed = 0.1) {
   return system;
 }
 
-inline double total_energy(Mover& dynamics, System<2>& system) {
+inline double total_energy(Mover<2>& dynamics, System<2>& system) {
   return dynamics.evaluate_energies(system).energy.stored() + kinetic_energy(system).total();
 }
 

@@ -15,8 +15,8 @@ inline Suspension prepared_suspension(const Case& c) {
 }
 
 /// A fresh stepper of the documented model for the discs of this case, its plates in place.
-inline std::unique_ptr<Mover> documented_dynamics(const Case& c) {
-  std::unique_ptr<Mover> dynamics = make_dynamics(c, derive_constants(c, nullptr));
+inline std::unique_ptr<Mover<2>> documented_dynamics(const Case& c) {
+  std::unique_ptr<Mover<2>> dynamics = make_dynamics(c, derive_constants(c, nullptr));
   dynamics->set_plates(plates_of(c));
   return dynamics;
 }

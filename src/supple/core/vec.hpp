@@ -104,4 +104,8 @@ struct Mat {
 };
 using Mat2 = Mat<2>;
 
+/// Moment of inertia [mass length^2]: a number about z in 2D, a tensor in 3D.
+template <int Dim>
+using Inertia = std::conditional_t<Dim == 2, double, Mat<Dim>>;
+
 }  // namespace supple

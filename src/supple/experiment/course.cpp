@@ -4,7 +4,7 @@
 
 namespace supple {
 
-void move(const Course& course, System<2>& system, Stepper& stepper, Recorder& recorder, std::int64_t& row,
+void move(const Course& course, System<2>& system, Stepper<2>& stepper, Recorder& recorder, std::int64_t& row,
           const Keep& keep, const std::function<void(const CourseRow&)>& see) {
   FrameSchedule frames(course.rows - 1, course.frames);
   frames.skip_to(row);

@@ -27,7 +27,7 @@ struct CourseRow {
 
 /// Takes the steps from `row` on and shows `see` each row before its step. Each row is a safe point, which
 /// `keep` saves, with the row. Throws what the stepper throws.
-void move(const Course& course, System<2>& system, Stepper& stepper, Recorder& recorder, std::int64_t& row,
+void move(const Course& course, System<2>& system, Stepper<2>& stepper, Recorder& recorder, std::int64_t& row,
           const Keep& keep, const std::function<void(const CourseRow&)>& see);
 
 }  // namespace supple

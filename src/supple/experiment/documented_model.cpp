@@ -69,7 +69,7 @@ struct Stage {
   std::function<void()> enter;
 };
 
-void prepare_documented(Suspension& s, Mover& dynamics, const Case& c, const MicrogelConstants& k,
+void prepare_documented(Suspension& s, Mover<2>& dynamics, const Case& c, const MicrogelConstants& k,
                         Recorder& recorder) {
   recorder.declare("preparation",
                    {{"steps", "", "steps of this relaxation"}, {"spread", "Pa", "variation of the stress"}});
@@ -127,7 +127,7 @@ Suspension make(const Case& c, const InitialState* initial, Recorder& recorder) 
   s.damping = std::pow(c.shear.cool_factor, k.time_step * k.frequency);
   s.material = k.material;
   auto dynamics = make_dynamics(c, k);
-  Mover& stepper = *dynamics;
+  Mover<2>& stepper = *dynamics;
   s.stepper = std::move(dynamics);
   if (initial) {
     take_state(s, c, *initial, 1);

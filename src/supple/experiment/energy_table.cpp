@@ -54,7 +54,7 @@ std::vector<std::string> account_numbers() {
   return names;
 }
 
-EnergyTable::EnergyTable(Recorder& recorder, Stepper& stepper, const System<2>& system, const Units& units,
+EnergyTable::EnergyTable(Recorder& recorder, Stepper<2>& stepper, const System<2>& system, const Units& units,
                          const Case& c, const InitialState* initial)
     : recorder_(recorder),
       time_(units.time),

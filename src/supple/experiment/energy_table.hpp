@@ -18,7 +18,7 @@ class EnergyTable {
  public:
   /// Where time goes on from that of `initial` (initial.keep_time), the account of that run goes on too, if
   /// it has one.
-  EnergyTable(Recorder& recorder, Stepper& stepper, const System<2>& system, const Units& units,
+  EnergyTable(Recorder& recorder, Stepper<2>& stepper, const System<2>& system, const Units& units,
               const Case& c, const InitialState* initial);
   EnergyTable(const EnergyTable&) = delete;
   EnergyTable& operator=(const EnergyTable&) = delete;
@@ -41,7 +41,7 @@ class EnergyTable {
   Recorder& recorder_;
   double time_, energy_;  ///< units of the run in SI
   bool has_shapes_;
-  EnergyBalance account_;
+  EnergyBalance<2> account_;
   bool is_open_ = false;
 };
 

@@ -162,9 +162,9 @@ Plates plates_of(const Case& c) {
                                      : Plates::capture;
 }
 
-std::unique_ptr<Mover> make_dynamics(const Case& c, const MicrogelConstants& k) {
+std::unique_ptr<Mover<2>> make_dynamics(const Case& c, const MicrogelConstants& k) {
   const Repulsion repulsion = make_repulsion(c.material, *k.material.central_repulsion_coefficient);
-  return std::make_unique<Mover>(ForceField<2>(DiscContacts(repulsion, k.law)));
+  return std::make_unique<Mover<2>>(ForceField<2>(DiscContacts(repulsion, k.law)));
 }
 
 }  // namespace supple

@@ -56,6 +56,6 @@ inline constexpr double step_share = 0.5, relaxation_share = 0.2;
 Plates plates_of(const Case& c);
 
 /// The stepper of the documented model, with friction and without plates so far.
-std::unique_ptr<Mover> make_dynamics(const Case& c, const MicrogelConstants& k);
+std::unique_ptr<Mover<2>> make_dynamics(const Case& c, const MicrogelConstants& k);
 
 }  // namespace supple

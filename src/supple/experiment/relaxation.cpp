@@ -22,7 +22,7 @@ double StressSpread::spread() const {
   return std::max({high_[0] - low_[0], high_[1] - low_[1], high_[2] - low_[2]});
 }
 
-void relax(System<2>& system, Stepper& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
+void relax(System<2>& system, Stepper<2>& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
            const std::string& phase, RelaxationState& state, const Keep& keep, Recorder& recorder) {
   // The rest of a window of damped steps; the spread of the virial stress over it [Pa].
   const auto run_window = [&](double dt, double damping) {

@@ -51,7 +51,7 @@ struct RelaxationState {
 /// 4, 2 and 1 times the given step and velocities multiplied by 0.5, 0.75 and 0.875 per step; then the factor
 /// is 0.98 per step. Every fifth step is a safe point, which `keep` saves, with the state. Throws a numerics
 /// error after most_steps.
-void relax(System<2>& system, Stepper& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
+void relax(System<2>& system, Stepper<2>& stepper, const Units& units, const RelaxationSpec& spec, bool rough,
            const std::string& phase, RelaxationState& state, const Keep& keep, Recorder& recorder);
 
 /// Subtracts the mean velocity of all discs, weighted by mass.

@@ -42,7 +42,7 @@ class ShearedBodies {
  private:
   Packing<2>& packing_;
   Recorder& recorder_;
-  Mover dynamics_;
+  Mover<2> dynamics_;
   BodyStressTable table_;
   EnergyTable energies_;
   std::int64_t row_ = 0;

@@ -198,7 +198,7 @@ class MovingHeap {
   Packing<2> packing_;
   Recorder& recorder_;
   double dt_;
-  Mover dynamics_;
+  Mover<2> dynamics_;
   LastGood<2> good_;
   std::int64_t per_row_ = 1, per_frame_ = 1;
   std::optional<std::int64_t> last_row_;

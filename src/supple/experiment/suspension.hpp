@@ -17,7 +17,7 @@ namespace supple {
 struct Suspension {
   Units units;
   System<2> system;
-  std::unique_ptr<Stepper> stepper;
+  std::unique_ptr<Stepper<2>> stepper;
   double time_step = 0, damping = 1;
   MaterialConstants material;
 };

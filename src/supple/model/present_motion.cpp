@@ -11,8 +11,9 @@ namespace supple {
 namespace {
 
 /// v, a rigid motion about `centre`, for the sites of body b.
-void turn_body(const System<2>& system, int b, const Vec2& velocity, double spin, const Vec2& centre,
-               std::vector<Vec2>& out) {
+template <int Dim>
+void turn_body(const System<Dim>& system, int b, const Vec<Dim>& velocity, const Angular<Dim>& spin,
+               const Vec<Dim>& centre, std::vector<Vec<Dim>>& out) {
   for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
     out[i] += velocity + cross(spin, system.state.position[i] - centre);
 }
@@ -31,11 +32,13 @@ void place_rigid(const System<2>& system, double half, PresentMotion<2>& out) {
 }
 
 /// What set_strain_rate does to the velocities of bodies.
-void change_flow(const System<2>& system, double change, PresentMotion<2>& out) {
-  const double middle = 0.5 * system.box.length[gradient], turning = -0.5 * change;
+template <int Dim>
+void change_flow(const System<Dim>& system, double change, PresentMotion<Dim>& out) {
+  const double middle = 0.5 * system.box.length[gradient];
+  const Angular<Dim> turning = flow_spin<Dim>(change);
   for (int b = 0; b < system.topology.body_count(system.state.size()); ++b) {
-    const Vec2 centre = centre_of_mass(system, b);
-    Vec2 velocity{};
+    const Vec<Dim> centre = centre_of_mass(system, b);
+    Vec<Dim> velocity{};
     velocity[flow] = (centre[gradient] - middle) * change;
     turn_body(system, b, velocity, turning, centre, out.velocity);
     if (system.topology.body_size(b) == 1) out.spin[system.topology.body_begin(b)] += turning;
@@ -44,15 +47,17 @@ void change_flow(const System<2>& system, double change, PresentMotion<2>& out) 
 
 }  // namespace
 
-Vec2 plate_velocity(const Box<2>& box, Mobility mobility, double rate) {
-  Vec2 v{};
+template <int Dim>
+Vec<Dim> plate_velocity(const Box<Dim>& box, Mobility mobility, double rate) {
+  Vec<Dim> v{};
   const double speed = 0.5 * rate * box.length[gradient];
   if (is_plate(mobility)) v[flow] = mobility == Mobility::upper_plate ? speed : -speed;
   return v;
 }
 
-void present_motion(const System<2>& system, double rate, PresentMotion<2>& out) {
-  const State<2>& s = system.state;
+template <int Dim>
+void present_motion(const System<Dim>& system, double rate, PresentMotion<Dim>& out) {
+  const State<Dim>& s = system.state;
   const double change = rate - system.box.strain_rate, half = 0.5 * system.lag;
   out.velocity.clear();
   out.strain_rate = rate;
@@ -60,10 +65,11 @@ void present_motion(const System<2>& system, double rate, PresentMotion<2>& out)
   out.velocity.resize(s.velocity.size());
   out.spin.resize(s.spin.size());
   const bool known = system.knows_acceleration(), discs = system.topology.begin.empty();
-  const double middle = 0.5 * system.box.length[gradient], turning = -0.5 * change;
+  const double middle = 0.5 * system.box.length[gradient];
+  const Angular<Dim> turning = flow_spin<Dim>(change);
   const auto predict = [&](std::size_t i) {
-    Vec2 velocity = s.velocity[i];
-    double spin = s.spin[i];
+    Vec<Dim> velocity = s.velocity[i];
+    Angular<Dim> spin = s.spin[i];
     if (known) {
       velocity += half * system.acceleration.site[i];
       spin += half * system.acceleration.spin[i];
@@ -79,11 +85,16 @@ void present_motion(const System<2>& system, double rate, PresentMotion<2>& out)
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) predict(i);
   });
   if (!discs) {
-    place_rigid(system, half, out);
+    if constexpr (Dim == 2) place_rigid(system, half, out);
     if (change != 0) change_flow(system, change, out);
   }
   for (int i = 0; i < s.size(); ++i)
     if (s.mobility[i] != Mobility::free) out.velocity[i] = plate_velocity(system.box, s.mobility[i], rate);
 }
+
+template Vec2 plate_velocity(const Box<2>&, Mobility, double);
+template Vec3 plate_velocity(const Box<3>&, Mobility, double);
+template void present_motion(const System<2>&, double, PresentMotion<2>&);
+template void present_motion(const System<3>&, double, PresentMotion<3>&);
 
 }  // namespace supple

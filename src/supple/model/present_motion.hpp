@@ -6,13 +6,15 @@
 namespace supple {
 
 /// The velocity of what moves with a plate, or is fixed, in a cell that shears at `rate` [length/time].
-Vec2 plate_velocity(const Box<2>& box, Mobility mobility, double rate);
+template <int Dim>
+Vec<Dim> plate_velocity(const Box<Dim>& box, Mobility mobility, double rate);
 
 /// Brings velocities and spins that lag behind the positions to their instant, by System::acceleration, and
 /// to a shear rate `rate` there: an extrapolation over half a step, whose error is of second order in the
 /// step (the method of Adams and Bashforth for what depends on velocities). Where the shear rate jumps at
 /// this instant, the mean of both sides is the rate whose impulse a leapfrog needs. Empties `out` where
 /// nothing lags and the rate is that of the cell.
-void present_motion(const System<2>& system, double rate, PresentMotion<2>& out);
+template <int Dim>
+void present_motion(const System<Dim>& system, double rate, PresentMotion<Dim>& out);
 
 }  // namespace supple

@@ -16,8 +16,8 @@ void make_rigid(System<2>& system, int b);
 int rigid_index(const System<2>& system, int b);
 
 /// visit(i) for each site in [begin, end) that is no part of a rigid body, ascending.
-template <class Visit>
-void for_sites_apart(const System<2>& system, int begin, int end, const Visit& visit) {
+template <int Dim, class Visit>
+void for_sites_apart(const System<Dim>& system, int begin, int end, const Visit& visit) {
   const std::vector<std::int32_t>& rigid = system.rigid.body;
   auto body = std::partition_point(rigid.begin(), rigid.end(),
                                    [&](std::int32_t b) { return system.topology.body_end(b) <= begin; });
@@ -28,12 +28,12 @@ void for_sites_apart(const System<2>& system, int begin, int end, const Visit& v
   }
 }
 /// The same for all sites, ascending; or in chunks, which threads share.
-template <class Visit>
-void for_sites_apart(const System<2>& system, const Visit& visit) {
+template <int Dim, class Visit>
+void for_sites_apart(const System<Dim>& system, const Visit& visit) {
   for_sites_apart(system, 0, system.state.size(), visit);
 }
-template <class Visit>
-void share_sites_apart(const System<2>& system, const Visit& visit) {
+template <int Dim, class Visit>
+void share_sites_apart(const System<Dim>& system, const Visit& visit) {
   for_chunks(system.state.size(), [&](std::int64_t, std::int64_t begin, std::int64_t end) {
     for_sites_apart(system, static_cast<int>(begin), static_cast<int>(end), visit);
   });

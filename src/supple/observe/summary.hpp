@@ -7,31 +7,38 @@ namespace supple {
 
 /// Velocity and spin of site i at the instant of the forces. A leapfrog keeps them half a step earlier
 /// (System::lag).
-inline Vec2 synchronised_velocity(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
-  const State<2>& s = system.state;
+template <int Dim>
+Vec<Dim> synchronised_velocity(const System<Dim>& system, const Evaluation<Dim>& evaluation, std::int32_t i) {
+  const State<Dim>& s = system.state;
   if (s.mobility[i] != Mobility::free) return s.velocity[i];
   return s.velocity[i] + 0.5 * system.lag / s.mass[i] * evaluation.force[i];
 }
-inline double synchronised_spin(const System<2>& system, const Evaluation<2>& evaluation, std::int32_t i) {
+template <int Dim>
+Angular<Dim> synchronised_spin(const System<Dim>& system, const Evaluation<Dim>& evaluation, std::int32_t i) {
   return system.state.spin[i] + 0.5 * system.lag / system.state.inertia[i] * evaluation.torque[i];
 }
 
-/// The same of rigid body r.
+/// Velocity and spin of a site or of a rigid body.
+template <int Dim>
 struct RigidRates {
-  Vec2 velocity;
-  double spin;
+  Vec<Dim> velocity;
+  Angular<Dim> spin;
 };
-RigidRates synchronised_rigid(const System<2>& system, const Evaluation<2>& evaluation, int r);
+/// The same of rigid body r.
+RigidRates<2> synchronised_rigid(const System<2>& system, const Evaluation<2>& evaluation, int r);
 
-/// Momenta of all sites and rigid bodies: linear, sum m v; angular, sum [m (x v_y - y v_x) + I w] about the
-/// corner of the cell.
+/// Momenta of all sites and rigid bodies: linear, sum m v; angular, sum [m x cross v + I w] about the corner
+/// of the cell, in 2D of z alone.
+template <int Dim>
 struct Momenta {
-  Vec2 linear{};
-  double angular = 0;
+  Vec<Dim> linear{};
+  Angular<Dim> angular{};
 };
-Momenta momenta(const System<2>& system, const Evaluation<2>& evaluation);
+template <int Dim>
+Momenta<Dim> momenta(const System<Dim>& system, const Evaluation<Dim>& evaluation);
 /// Of the velocities as they stand.
-Momenta momenta(const System<2>& system);
+template <int Dim>
+Momenta<Dim> momenta(const System<Dim>& system);
 
 /// Kinetic energies [energy]: of the translation of free sites and rigid bodies, of their translation
 /// relative to the affine flow, and of all spins (plate discs are moved from outside, but spin freely).
@@ -39,10 +46,12 @@ struct KineticEnergy {
   double translation = 0, peculiar = 0, spin = 0;
   double total() const { return translation + spin; }
 };
-KineticEnergy kinetic_energy(const System<2>& system, const Evaluation<2>& evaluation);
+template <int Dim>
+KineticEnergy kinetic_energy(const System<Dim>& system, const Evaluation<Dim>& evaluation);
 /// Of the velocities as they stand. The energy of spins makes no pressure: the forces that keep a turning
 /// body together cancel it.
-KineticEnergy kinetic_energy(const System<2>& system);
+template <int Dim>
+KineticEnergy kinetic_energy(const System<Dim>& system);
 
 /// Numbers of pairs by state; links count whether or not their discs touch.
 struct ContactCounts {

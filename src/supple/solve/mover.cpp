@@ -21,29 +21,46 @@ std::uint64_t is_not_finite(double x) {
   return (std::bit_cast<std::uint64_t>(x) & exponent) == exponent;
 }
 
-void drift(System<2>& system, double dt) {
-  State<2>& s = system.state;
+/// Finite where position and spin of site i are.
+double motion_sum(const State<2>& s, int i) { return s.position[i][0] + s.position[i][1] + s.spin[i]; }
+double motion_sum(const State<3>& s, int i) {
+  const Vec3 &x = s.position[i], &w = s.spin[i];
+  return x[0] + x[1] + x[2] + w[0] + w[1] + w[2];
+}
+
+template <int Dim>
+void refuse_rigid(const System<Dim>& system) {
+  if (Dim == 3 && !system.rigid.empty())
+    throw input_error("rigid bodies of many vertices cannot move in 3D", "they have no orientation there",
+                      "use shells with stiff triangles, or spheres");
+}
+
+template <int Dim>
+void drift(System<Dim>& system, double dt) {
+  State<Dim>& s = system.state;
   // Values that are not finite, of sites at least.
   auto odd = sum_chunks<std::uint64_t>(s.size(), [&](std::int64_t begin, std::int64_t end) {
     std::uint64_t odd_here = 0;
     for_sites_apart(system, static_cast<int>(begin), static_cast<int>(end), [&](int i) {
-      s.angle[i] += dt * s.spin[i];
+      if constexpr (Dim == 2) s.angle[i] += dt * s.spin[i];
       s.position[i] += dt * s.velocity[i];
-      odd_here |= is_not_finite(s.position[i][0] + s.position[i][1] + s.spin[i]);
+      odd_here |= is_not_finite(motion_sum(s, i));
     });
     return odd_here;
   });
-  RigidBodies& rigid = system.rigid;
-  for (int r = 0; r < rigid.size(); ++r) {
-    rigid.angle[r] += dt * rigid.spin[r];
-    rigid.centre[r] += dt * rigid.velocity[r];
-    odd |= is_not_finite(rigid.centre[r][0] + rigid.centre[r][1] + rigid.angle[r]);
+  if constexpr (Dim == 2) {
+    RigidBodies& rigid = system.rigid;
+    for (int r = 0; r < rigid.size(); ++r) {
+      rigid.angle[r] += dt * rigid.spin[r];
+      rigid.centre[r] += dt * rigid.velocity[r];
+      odd |= is_not_finite(rigid.centre[r][0] + rigid.centre[r][1] + rigid.angle[r]);
+    }
   }
   system.box.strain += system.box.strain_rate * dt;
   system.lag = dt;
-  place_sites(system);
+  if constexpr (Dim == 2) place_sites(system);
   for (int i = 0; odd != 0 && i < s.size(); ++i)
-    if (!std::isfinite(s.position[i][0] + s.position[i][1] + s.spin[i]))
+    if (!std::isfinite(motion_sum(s, i)))
       throw numerics_error(fmt::format("site {} is not finite at step {}", i, system.step + 1),
                            "the time step may be too large, a law too stiff, or bodies may overlap too much",
                            "reduce [time] step");
@@ -53,10 +70,11 @@ void drift(System<2>& system, double dt) {
 
 }  // namespace
 
-void capture_at_boundaries(System<2>& system, Plates plates) {
+template <int Dim>
+void capture_at_boundaries(System<Dim>& system, Plates plates) {
   if (plates != Plates::capture) return;
-  State<2>& s = system.state;
-  const Box<2>& box = system.box;
+  State<Dim>& s = system.state;
+  const Box<Dim>& box = system.box;
   const auto is_within = [&](int i, int d, double margin) {
     return margin < s.position[i][d] && s.position[i][d] < box.length[d] - margin;
   };
@@ -70,7 +88,7 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
     if (is_at_plate(i))
       s.mobility[i] = s.position[i][gradient] > 0.5 * box.length[gradient] ? Mobility::upper_plate
                                                                            : Mobility::lower_plate;
-    for (int d = 0; d < 2; ++d)
+    for (int d = 0; d < Dim; ++d)
       if (!box.periodic[d] && !is_within(i, d, s.radius[i])) s.mobility[i] = Mobility::fixed;
   }
   for (const std::int32_t b : system.rigid.body)
@@ -78,24 +96,29 @@ void capture_at_boundaries(System<2>& system, Plates plates) {
               s.mobility.begin() + system.topology.body_end(b), mobility_of_body(system, b));
 }
 
-void Mover::set_drag(double rate) {
+template <int Dim>
+void Mover<Dim>::set_drag(double rate) {
   if (!(rate >= 0))
     throw input_error(fmt::format("a damping rate of {}", rate), "it would add energy", "give 0 or more");
   drag_ = rate;
 }
 
-void Mover::set_plasticity(const std::optional<PlasticLaw>& law) {
+template <int Dim>
+void Mover<Dim>::set_plasticity(const std::optional<PlasticLaw>& law) {
   if (law) check(*law);
   plasticity_ = law;
 }
 
-void Mover::set_plates(Plates plates) {
+template <int Dim>
+void Mover<Dim>::set_plates(Plates plates) {
   plates_ = plates;
   forces_.set_repulsive_plates(plates == Plates::repulsive);
 }
 
-void Mover::compute(System<2>& system, ShearRates rates, Detail detail) {
+template <int Dim>
+void Mover<Dim>::compute(System<Dim>& system, ShearRates rates, Detail detail) {
   if (is_current_ && detail <= detail_) return;
+  refuse_rigid(system);
   // Where the rate jumps, half of the impulse of these forces belongs to either side.
   const double rate = system.lag > 0 ? 0.5 * (system.box.strain_rate + rates.mid) : rates.mid;
   if (forces_.has_dashpots()) present_motion(system, rate, evaluation_.now);
@@ -104,26 +127,30 @@ void Mover::compute(System<2>& system, ShearRates rates, Detail detail) {
   if (account_) account_->see(forces_.loss_power(system, evaluation_));
 }
 
-const Evaluation<2>& Mover::evaluate(System<2>& system, ShearRates rates) {
+template <int Dim>
+const Evaluation<Dim>& Mover<Dim>::evaluate(System<Dim>& system, ShearRates rates) {
   compute(system, rates, account_ ? Detail::energies : Detail::forces);
   return evaluation_;
 }
 
-const Evaluation<2>& Mover::evaluate_energies(System<2>& system, ShearRates rates) {
+template <int Dim>
+const Evaluation<Dim>& Mover<Dim>::evaluate_energies(System<Dim>& system, ShearRates rates) {
   compute(system, rates, Detail::energies);
   return evaluation_;
 }
 
 /// Brings velocities, and the memory of contacts, to the instant of the forces.
-void Mover::complete(System<2>& system) {
+template <int Dim>
+void Mover<Dim>::complete(System<Dim>& system) {
   const double half = 0.5 * system.lag;
   forces_.commit(system, evaluation_);
   kick(system, evaluation_, half);
 }
 
-void Mover::bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
-                             std::vector<double>& spin) const {
-  System<2> now = system;
+template <int Dim>
+void Mover<Dim>::bring_to_instant(const System<Dim>& system, double rate_now, std::vector<Vec<Dim>>& velocity,
+                                  std::vector<Angular<Dim>>& spin) const {
+  System<Dim> now = system;
   now.lag = 0;
   kick(now, evaluation_, 0.5 * system.lag);
   set_strain_rate(now, rate_now);
@@ -134,8 +161,9 @@ void Mover::bring_to_instant(const System<2>& system, double rate_now, std::vect
 
 // Forces act for half of the last step, then what changes velocities at this instant is done, then forces act
 // for half of the next step: every part is symmetrical about the instant, hence of second order.
-void Mover::change_velocities(System<2>& system, double rate, double half_before, double half_after,
-                              double damping) {
+template <int Dim>
+void Mover<Dim>::change_velocities(System<Dim>& system, double rate, double half_before, double half_after,
+                                   double damping) {
   if (!account_ && system.topology.begin.empty())
     return change_velocities_of_discs(system, evaluation_, rate, half_before, half_after, damping);
   accelerate(system, evaluation_);
@@ -143,7 +171,7 @@ void Mover::change_velocities(System<2>& system, double rate, double half_before
   if (account_) account_->book_contacts(system);
   set_strain_rate(system, rate);
   if (account_) account_->book(&EnergyFlows::shear_rate, 1, system);
-  Acceleration<2> drag;
+  Acceleration<Dim> drag;
   if (damping != 1) drag = slow_down(system, damping, half_before + half_after);
   if (account_) account_->book(&EnergyFlows::background, -1, system);
   push(system, half_after);
@@ -151,7 +179,8 @@ void Mover::change_velocities(System<2>& system, double rate, double half_before
   add(drag, system.acceleration);
 }
 
-void Mover::advance(System<2>& system, ShearRates rates, double dt, double damping) {
+template <int Dim>
+void Mover<Dim>::advance(System<Dim>& system, ShearRates rates, double dt, double damping) {
   const double half_before = 0.5 * system.lag, half_after = 0.5 * dt, time = half_before + half_after;
   if (account_) {
     account_->book_boundaries(system, evaluation_, half_before);
@@ -173,7 +202,8 @@ void Mover::advance(System<2>& system, ShearRates rates, double dt, double dampi
   if (account_) account_->book(&EnergyFlows::plates, 1, system);
 }
 
-void Mover::advance(System<2>& system, double dt) {
+template <int Dim>
+void Mover<Dim>::advance(System<Dim>& system, double dt) {
   if (system.box.strain_rate != 0)
     throw input_error("bodies cannot move by this method in a cell that is being sheared",
                       "their images have velocities", "shear in steps, or set the strain rate to 0");
@@ -191,5 +221,10 @@ void Mover::advance(System<2>& system, double dt) {
   complete(system);
   if (drag_ > 0) damp(system, decay, Drag::sites);
 }
+
+template class Mover<2>;
+template class Mover<3>;
+template void capture_at_boundaries(System<2>&, Plates);
+template void capture_at_boundaries(System<3>&, Plates);
 
 }  // namespace supple

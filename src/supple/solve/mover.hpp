@@ -26,29 +26,31 @@ namespace supple {
 /// dt/2) before and after. Without drag it is symplectic and reversible, so that the energy oscillates about
 /// a constant. The cell is at rest, and nothing is wrapped.
 ///
-/// Either way the state alone decides the next step, bit for bit.
-class Mover : public Stepper {
+/// Either way contacts of spheres in 3D make no torques, and a rigid body of many vertices is an input error
+/// there. The state alone decides the next step, bit for bit.
+template <int Dim>
+class Mover : public Stepper<Dim> {
  public:
-  explicit Mover(ForceField<2> forces, double drag = 0) : forces_(std::move(forces)) { set_drag(drag); }
+  explicit Mover(ForceField<Dim> forces, double drag = 0) : forces_(std::move(forces)) { set_drag(drag); }
 
-  const Evaluation<2>& evaluate(System<2>& system, ShearRates = {}) override;
+  const Evaluation<Dim>& evaluate(System<Dim>& system, ShearRates = {}) override;
   /// The same with energies, dissipated power and virial.
-  const Evaluation<2>& evaluate_energies(System<2>& system, ShearRates = {}) override;
+  const Evaluation<Dim>& evaluate_energies(System<Dim>& system, ShearRates = {}) override;
   bool has_energies() const override { return true; }
-  void advance(System<2>& system, ShearRates rates, double dt, double damping) override;
+  void advance(System<Dim>& system, ShearRates rates, double dt, double damping) override;
   /// v(t) = v(t - lag/2) + (lag/2) F(t)/m, and spins likewise, with the flow of the rate `rate_now`.
-  void bring_to_instant(const System<2>& system, double rate_now, std::vector<Vec2>& velocity,
-                        std::vector<double>& spin) const override;
+  void bring_to_instant(const System<Dim>& system, double rate_now, std::vector<Vec<Dim>>& velocity,
+                        std::vector<Angular<Dim>>& spin) const override;
 
   /// A step of one instant; contacts remember what they find at its end, and the forces there are kept for
   /// evaluate(). Throws an input error where the cell is being sheared; as the other one where a value is not
   /// finite.
-  void advance(System<2>& system, double dt);
+  void advance(System<Dim>& system, double dt);
 
   void set_friction(double coefficient) override { forces_.contacts().set_friction(coefficient); }
   double friction() const override { return forces_.contacts().law().friction; }
   void set_plates(Plates plates) override;
-  void set_account(EnergyBalance* account) override { account_ = account; }
+  void set_account(EnergyBalance<Dim>* account) override { account_ = account; }
   /// The rate b [1/time] in steps of one instant. Input error where it is negative or no number.
   void set_drag(double rate);
   /// Lets preferred shapes flow by this law in every step of one instant, after positions have moved and
@@ -59,31 +61,32 @@ class Mover : public Stepper {
     is_current_ = false;
     forces_.invalidate();
   }
-  const ForceField<2>& forces() const { return forces_; }
+  const ForceField<Dim>& forces() const { return forces_; }
   /// To change them.
-  ForceField<2>& forces() {
+  ForceField<Dim>& forces() {
     is_current_ = false;
     return forces_;
   }
 
  private:
-  void compute(System<2>& system, ShearRates rates, Detail detail);
-  void complete(System<2>& system);
-  void change_velocities(System<2>& system, double rate, double half_before, double half_after,
+  void compute(System<Dim>& system, ShearRates rates, Detail detail);
+  void complete(System<Dim>& system);
+  void change_velocities(System<Dim>& system, double rate, double half_before, double half_after,
                          double damping);
 
-  ForceField<2> forces_;
-  Evaluation<2> evaluation_;
+  ForceField<Dim> forces_;
+  Evaluation<Dim> evaluation_;
   bool is_current_ = false;  ///< whether a step has left the forces of the present instant
   Detail detail_ = Detail::forces;
   Plates plates_ = Plates::none;
   double drag_ = 0;  ///< [1/time]
   std::optional<PlasticLaw> plasticity_;
-  EnergyBalance* account_ = nullptr;
+  EnergyBalance<Dim>* account_ = nullptr;
 };
 
 /// With Plates::capture, free sites that touch a plate (y = 0 or y = Ly of a periodic cell) join it, and free
 /// sites that touch the end of a direction that is not periodic are fixed there; a rigid body as a whole.
-void capture_at_boundaries(System<2>& system, Plates plates);
+template <int Dim>
+void capture_at_boundaries(System<Dim>& system, Plates plates);
 
 }  // namespace supple

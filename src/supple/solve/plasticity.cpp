@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "supple/core/error.hpp"
 #include "supple/geometry/facet.hpp"
@@ -12,32 +15,52 @@ namespace supple {
 
 namespace {
 
-/// Preferred length or area after the time dt, while the present one stays x.
+/// Preferred size after the time dt, while the present one stays x.
 double flowed(double rest, double x, double yield, double dt_per_time) {
   if (!(std::abs(x - rest) > yield * rest) || !(x > 0)) return rest;
   const double edge = x > rest ? 1 + yield : 1 - yield, end = x / edge;
   return end + (rest - end) * std::exp(-edge * dt_per_time);
 }
 
-double area_of(const State<2>& s, int begin, int end) {
-  double twice = 0;  // from the first site, so that a body far from the origin loses no digits
+/// The present points of a facet or hinge.
+template <int Dim, std::size_t Count>
+struct Points {
+  Vec<Dim> x[Count];
+  Points(const System<Dim>& system, const std::array<std::int32_t, Count>& sites,
+         const Vec<Dim>& origin = {}) {
+    for (std::size_t k = 0; k < Count; ++k) x[k] = system.state.position[sites[k]] - origin;
+  }
+};
+
+/// What body b encloses, from its first site, so that a body far from the origin loses no digits.
+double volume_of(const System<2>& system, int b) {
+  const State<2>& s = system.state;
+  const int begin = system.topology.begin[b], end = system.topology.begin[b + 1];
+  double twice = 0;
   for (int i = begin + 1; i + 1 < end; ++i)
     twice += cross(s.position[i] - s.position[begin], s.position[i + 1] - s.position[begin]);
   return 0.5 * twice;
 }
+double volume_of(const System<3>& system, int b) {
+  const Topology<3>& t = system.topology;
+  double sum = 0;
+  for (int f = t.facet_begin[b]; f < t.facet_begin[b + 1]; ++f)
+    sum += facet_volume<double>(Points(system, t.facet[f], system.state.position[t.begin[b]]).x);
+  return sum;
+}
 
-void flow_angles(System<2>& system, int b, double yield, double dt_per_time) {
-  const Topology<2>& t = system.topology;
+template <int Dim>
+void flow_angles(System<Dim>& system, int b, double yield, double dt_per_time) {
+  const Topology<Dim>& t = system.topology;
   const int begin = t.hinge_begin[b], end = t.hinge_begin[b + 1];
   static thread_local std::vector<double> delta;
   delta.clear();
   double mean = 0;
   for (int h = begin; h < end; ++h) {
-    const auto& x = system.state.position;
-    const auto [before, at, after] = t.hinge[h];
-    delta.push_back(hinge_angle<double>({x[before], x[at], x[after]}) - system.shape.rest_hinge[h]);
+    delta.push_back(hinge_angle<double>(Points(system, t.hinge[h]).x) - system.shape.rest_hinge[h]);
     mean += delta.back() / (end - begin);
   }
+  if (Dim == 3) mean = 0;
   const double share = -std::expm1(-dt_per_time);
   for (int h = begin; h < end; ++h) {
     const double bent = delta[h - begin] - mean;
@@ -50,7 +73,7 @@ void flow_angles(System<2>& system, int b, double yield, double dt_per_time) {
 void check(const PlasticLaw& law) {
   if (!(law.time > 0))
     throw input_error(fmt::format("a plastic time of {}", law.time), "it must be positive");
-  for (const double yield : {law.length_yield, law.area_yield})
+  for (const double yield : {law.facet_yield, law.volume_yield})
     if (!(yield >= 0 && (yield < 1 || std::isinf(yield))))
       throw input_error(fmt::format("a yield strain of {}", yield), "nothing can be compressed that far",
                         "give 0 or more, below 1, or infinity where nothing flows");
@@ -59,24 +82,27 @@ void check(const PlasticLaw& law) {
                       "it must be 0 or more, or infinity where nothing flows");
 }
 
-void advance(System<2>& system, const PlasticLaw& law, double dt) {
+template <int Dim>
+void advance(System<Dim>& system, const PlasticLaw& law, double dt) {
   Shape& shape = system.shape;
   if (shape.empty()) return;
-  const Topology<2>& t = system.topology;
+  const Topology<Dim>& t = system.topology;
   const double dt_per_time = dt / law.time;
   for (int b = 0; b < static_cast<int>(shape.stiffness.size()); ++b) {
     const ShapeStiffness& k = shape.stiffness[b];
-    if (k.facet != 0 && std::isfinite(law.length_yield))
+    if (k.facet != 0 && std::isfinite(law.facet_yield))
       for (int f = t.facet_begin[b]; f < t.facet_begin[b + 1]; ++f) {
-        const double length =
-            norm(system.state.position[t.facet[f][1]] - system.state.position[t.facet[f][0]]);
-        shape.rest_facet[f] = flowed(shape.rest_facet[f], length, law.length_yield, dt_per_time);
+        const double size = facet_measure<double>(Points(system, t.facet[f]).x);
+        shape.rest_facet[f] = flowed(shape.rest_facet[f], size, law.facet_yield, dt_per_time);
       }
-    if (k.volume != 0 && std::isfinite(law.area_yield))
-      shape.rest_volume[b] = flowed(shape.rest_volume[b], area_of(system.state, t.begin[b], t.begin[b + 1]),
-                                    law.area_yield, dt_per_time);
+    if (k.volume != 0 && std::isfinite(law.volume_yield))
+      shape.rest_volume[b] =
+          flowed(shape.rest_volume[b], volume_of(system, b), law.volume_yield, dt_per_time);
     if (k.hinge != 0 && std::isfinite(law.angle_yield)) flow_angles(system, b, law.angle_yield, dt_per_time);
   }
 }
+
+template void advance(System<2>&, const PlasticLaw&, double);
+template void advance(System<3>&, const PlasticLaw&, double);
 
 }  // namespace supple

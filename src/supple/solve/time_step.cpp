@@ -15,11 +15,13 @@ namespace supple {
 
 namespace {
 
-/// Squared frequency of a site that six further neighbours and a wall press on.
-double further_contacts(const System<2>& system, const ForceField<2>& forces) {
+/// Squared frequency of a site that six (3D: twelve) further neighbours and a wall press on.
+template <int Dim>
+double further_contacts(const System<Dim>& system, const ForceField<Dim>& forces) {
+  constexpr double neighbours = Dim == 2 ? 6 : 8;  // 2 k/m sum n n^T
   const auto spring_of = [&](double sigma) {
     const auto stiffness = [&](const BodyLaw& law) { return law.stiffness(0.5 * sigma, sigma); };
-    double spring = forces.bodies() ? 6 * forces.bodies()->laws().most(stiffness) : 0;
+    double spring = forces.bodies() ? neighbours * forces.bodies()->laws().most(stiffness) : 0;
     if (const auto& walls = forces.walls())
       spring += walls->repulsion.spring(sigma) *
                 std::max(1.0, walls->floor_friction > 0 ? walls->floor_stiffness : 0);
@@ -36,15 +38,16 @@ double further_contacts(const System<2>& system, const ForceField<2>& forces) {
 
 /// Bodies in batches that no block joins, each of about `batch_sites` sites or more: what one needs fits into
 /// a fast memory.
+template <int Dim>
 class Batches {
  public:
   static constexpr int batch_sites = 2048;
 
-  Batches(const System<2>& system, HessianBlocks<2> joining) : blocks_(std::move(joining)) {
+  Batches(const System<Dim>& system, HessianBlocks<Dim> joining) : blocks_(std::move(joining)) {
     const int sites = system.state.size(), bodies = system.topology.body_count(sites);
     const std::vector<std::int32_t> body_of_site = bodies_of_sites(system.topology, sites);
     DisjointSets groups(bodies);
-    for (const HessianBlock<2>& block : blocks_) groups.merge(body_of_site[block.a], body_of_site[block.b]);
+    for (const HessianBlock<Dim>& block : blocks_) groups.merge(body_of_site[block.a], body_of_site[block.b]);
     std::vector<std::int32_t> size(static_cast<std::size_t>(bodies)), of_body(size.size());
     for (int b = 0; b < bodies; ++b) size[groups.root(b)] += system.topology.body_size(b);
     int room = 0;
@@ -62,14 +65,14 @@ class Batches {
     std::iota(bodies_.begin(), bodies_.end(), 0);
     sort_by_batch(bodies_, first_body_, [&](std::int32_t b) { return of_body[b]; });
     sort_by_batch(blocks_, first_block_,
-                  [&](const HessianBlock<2>& block) { return of_body[body_of_site[block.a]]; });
+                  [&](const HessianBlock<Dim>& block) { return of_body[body_of_site[block.a]]; });
   }
 
   int count() const { return count_; }
   /// Ascending.
   std::span<const std::int32_t> bodies(int batch) const { return part_of(bodies_, first_body_, batch); }
   /// Those that join bodies of the batch, in their order.
-  std::span<const HessianBlock<2>> blocks(int batch) const { return part_of(blocks_, first_block_, batch); }
+  std::span<const HessianBlock<Dim>> blocks(int batch) const { return part_of(blocks_, first_block_, batch); }
 
  private:
   /// Things of one batch stay in their order.
@@ -90,16 +93,18 @@ class Batches {
   }
 
   int count_ = 0;
-  HessianBlocks<2> blocks_;
+  HessianBlocks<Dim> blocks_;
   std::vector<std::int32_t> bodies_;
   std::vector<std::size_t> first_body_, first_block_;
 };
 
 /// The mass-weighted Hessian of one batch after the other, in memory that is used again.
+template <int Dim>
 class WeightedHessian {
  public:
   /// `force` holds the forces on the sites if there are rigid bodies.
-  WeightedHessian(const System<2>& system, const ForceField<2>& forces, const std::vector<Vec2>& force)
+  WeightedHessian(const System<Dim>& system, const ForceField<Dim>& forces,
+                  const std::vector<Vec<Dim>>& force)
       : system_(system),
         forces_(forces),
         force_(force),
@@ -108,7 +113,8 @@ class WeightedHessian {
         local_(mass_.size(), -1) {}
 
   /// The bound of the eigenvalues of a batch, or `least`.
-  double bound(std::span<const std::int32_t> bodies, std::span<const HessianBlock<2>> joining, double least) {
+  double bound(std::span<const std::int32_t> bodies, std::span<const HessianBlock<Dim>> joining,
+               double least) {
     blocks_.clear(), products_.clear(), entries_.clear(), parts_.clear();
     for (const std::int32_t b : bodies) forces_.add_body_hessian(system_, b, blocks_, products_);
     blocks_.insert(blocks_.end(), joining.begin(), joining.end());
@@ -116,7 +122,7 @@ class WeightedHessian {
     for (const std::int32_t b : bodies) degrees_.add_turning(system_, b, force_, entries_);
     const int size = number(bodies);
     weigh();
-    for (const OuterProduct<2>& product : products_) parts_.push_back(part_of(product));
+    for (const OuterProduct<Dim>& product : products_) parts_.push_back(part_of(product));
     return bound_.of(entries_, parts_, size, least);
   }
 
@@ -130,7 +136,7 @@ class WeightedHessian {
     };
     for (const std::int32_t b : bodies)
       if (!degrees_.is_rigid(first_site(b)))
-        for (std::int32_t i = first_site(b); i < system_.topology.body_end(b); ++i) add(i, 2);
+        for (std::int32_t i = first_site(b); i < system_.topology.body_end(b); ++i) add(i, Dim);
     for (const std::int32_t b : bodies)
       if (degrees_.is_rigid(first_site(b))) add(first_site(b), 3);
     return size;
@@ -147,14 +153,14 @@ class WeightedHessian {
   }
 
   /// The part of an outer product that free sites have, of masses 1.
-  OuterPart part_of(const OuterProduct<2>& product) const {
+  OuterPart part_of(const OuterProduct<Dim>& product) const {
     OuterPart part{product.factor, {}, {}};
-    part.index.reserve(2 * product.slope.size());
-    part.slope.reserve(2 * product.slope.size());
+    part.index.reserve(Dim * product.slope.size());
+    part.slope.reserve(Dim * product.slope.size());
     for (std::size_t k = 0; k < product.slope.size(); ++k) {
       const std::int32_t site = product.first + static_cast<std::int32_t>(k);
       const std::int32_t number = degrees_.first_number(site);
-      for (int d = 0; d < 2 && number >= 0 && !degrees_.is_rigid(site); ++d) {
+      for (int d = 0; d < Dim && number >= 0 && !degrees_.is_rigid(site); ++d) {
         part.index.push_back(local_[number + d]);
         part.slope.push_back(product.slope[k][d] / std::sqrt(mass_[number + d]));
       }
@@ -162,14 +168,14 @@ class WeightedHessian {
     return part;
   }
 
-  const System<2>& system_;
-  const ForceField<2>& forces_;
-  const std::vector<Vec2>& force_;
-  BodyDegrees<2> degrees_;
+  const System<Dim>& system_;
+  const ForceField<Dim>& forces_;
+  const std::vector<Vec<Dim>>& force_;
+  BodyDegrees<Dim> degrees_;
   std::vector<double> mass_;
   std::vector<std::int32_t> local_;  ///< number in the batch of each number
-  HessianBlocks<2> blocks_;
-  OuterProducts<2> products_;
+  HessianBlocks<Dim> blocks_;
+  OuterProducts<Dim> products_;
   std::vector<MatrixEntry> entries_;
   std::vector<OuterPart> parts_;
   EigenvalueBound bound_;
@@ -177,13 +183,14 @@ class WeightedHessian {
 
 }  // namespace
 
-double frequency_bound(System<2>& system, ForceField<2>& forces) {
-  Evaluation<2> evaluation;
+template <int Dim>
+double frequency_bound(System<Dim>& system, ForceField<Dim>& forces) {
+  Evaluation<Dim> evaluation;
   if (!system.rigid.body.empty()) forces.evaluate(system, Detail::forces, evaluation);  // they turn bodies
-  HessianBlocks<2> joining;
+  HessianBlocks<Dim> joining;
   forces.add_joining_hessian(system, joining);
-  const Batches batches(system, std::move(joining));
-  WeightedHessian hessian(system, forces, evaluation.force);
+  const Batches<Dim> batches(system, std::move(joining));
+  WeightedHessian<Dim> hessian(system, forces, evaluation.force);
   double square = 0;
   for (int k = 0; k < batches.count(); ++k)
     square = hessian.bound(batches.bodies(k), batches.blocks(k), square);
@@ -192,10 +199,16 @@ double frequency_bound(System<2>& system, ForceField<2>& forces) {
 
 double leapfrog_limit(double omega, double z) { return 2 / omega * (std::sqrt(1 + 4 * z * z) - 2 * z); }
 
-double default_step(System<2>& system, ForceField<2>& forces, double fraction) {
+template <int Dim>
+double default_step(System<Dim>& system, ForceField<Dim>& forces, double fraction) {
   const double omega = frequency_bound(system, forces);
   if (!(omega > 0)) throw input_error("no time step follows from the forces", "nothing acts", "give a step");
   return fraction * 2 / omega;
 }
+
+template double frequency_bound(System<2>&, ForceField<2>&);
+template double frequency_bound(System<3>&, ForceField<3>&);
+template double default_step(System<2>&, ForceField<2>&, double);
+template double default_step(System<3>&, ForceField<3>&, double);
 
 }  // namespace supple

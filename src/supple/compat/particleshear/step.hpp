@@ -14,7 +14,7 @@ enum class PlateForce { reset, accumulate };
 
 /// Semi-implicit Euler as the package does it, in micrometre, milligram and second. Contacts remember two
 /// elongations (PairTable of width 2): that of `first` toward `second`, and that of `second`.
-class ParticleShearStepper : public Stepper {
+class ParticleShearStepper : public Stepper<2> {
  public:
   explicit ParticleShearStepper(const ParticleShearConstants& constants,
                                 PlateForce plate_force = PlateForce::reset)
