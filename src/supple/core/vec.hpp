@@ -96,6 +96,12 @@ struct Mat {
   }
   friend constexpr Mat operator+(Mat a, const Mat& b) { return a += b; }
   friend constexpr Mat operator*(double s, Mat a) { return a *= s; }
+  friend constexpr Vec<Dim> operator*(const Mat& m, const Vec<Dim>& x) {
+    Vec<Dim> y;
+    for (int a = 0; a < Dim; ++a)
+      for (int c = 0; c < Dim; ++c) y[a] += m[a][c] * x[c];
+    return y;
+  }
   /// Adds s * f r^T.
   constexpr void add_outer(double s, const Vec<Dim>& f, const Vec<Dim>& r) {
     for (int a = 0; a < Dim; ++a)
