@@ -51,8 +51,7 @@ class ForceField {
         evaluate_plates(system, contacts_.repulsion(), contacts_.law().contact.k, detail, out);
     if (walls_) evaluate_walls(system, *walls_, detail, out);
     if (!external_.empty()) external_.evaluate(system, detail, out);
-    if constexpr (Dim == 2)
-      if (detail == Detail::energies) out.virial += rigid_virial(system, out.force);
+    if (detail == Detail::energies) out.virial += rigid_virial(system, out.force);
   }
 
   /// Adds the second derivatives of the energy. Not for contacts with memory: their forces have no energy.

@@ -23,8 +23,7 @@ double outer_radius(const System<Dim>& system, int b) {
 
 template <int Dim>
 void move_body(System<Dim>& system, int b, const Vec<Dim>& move) {
-  if constexpr (Dim == 2)
-    if (const int r = rigid_index(system, b); r >= 0) system.rigid.centre[r] += move;
+  if (const int r = rigid_index(system, b); r >= 0) system.rigid.centre[r] += move;
   for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
     system.state.position[i] += move;
 }
@@ -38,8 +37,7 @@ void scale_cell(System<Dim>& system, const Vec<Dim>& factor) {
     for (int d = 0; d < Dim; ++d) move[d] = (factor[d] - 1) * centre[d];
     move_body(system, b, move);
   }
-  if constexpr (Dim == 2)
-    place_sites(system);  // rigid bodies' sites follow from their centres, to the last bit
+  place_sites(system);  // rigid bodies' sites follow from their centres, to the last bit
 }
 
 template Vec<2> body_centre(const System<2>&, int);

@@ -18,6 +18,10 @@ template <int Dim>
 void scale(Vec<Dim>& x, double factor) {
   x *= factor;
 }
+template <int Dim>
+void scale(Mat<Dim>& x, double factor) {
+  x *= factor;
+}
 template <class T>
 void scale(std::vector<T>& values, double factor) {
   for (T& x : values) scale(x, factor);

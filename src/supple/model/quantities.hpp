@@ -79,18 +79,20 @@ inline constexpr auto quantities<Shape> =
                Quantity{"rest_facet", &Shape::rest_facet, unit::length, "preferred length of each edge"},
                Quantity{"rest_hinge", &Shape::rest_hinge, unit::angle, "preferred angle of each corner"}};
 
-template <>
-inline constexpr auto quantities<RigidBodies> = std::tuple{
-    Quantity{"body", &RigidBodies::body, unit::none, "which bodies are rigid, ascending"},
-    Quantity{"centre", &RigidBodies::centre, unit::length, "centre of mass"},
-    Quantity{"velocity", &RigidBodies::velocity, unit::speed, "of the centre of mass"},
-    Quantity{"angle", &RigidBodies::angle, unit::angle, "since it became rigid, counter-clockwise"},
-    Quantity{"spin", &RigidBodies::spin, unit::spin, "counter-clockwise"},
-    Quantity{"mass", &RigidBodies::mass, unit::mass, "of all its sites"},
-    Quantity{"inertia", &RigidBodies::inertia, unit::inertia, "of its sites as points, about the centre"},
-    Quantity{"begin", &RigidBodies::begin, unit::none,
+template <int Dim>
+inline constexpr auto quantities<RigidBodiesOf<Dim>> = std::tuple{
+    Quantity{"body", &RigidBodiesOf<Dim>::body, unit::none, "which bodies are rigid, ascending"},
+    Quantity{"centre", &RigidBodiesOf<Dim>::centre, unit::length, "centre of mass"},
+    Quantity{"velocity", &RigidBodiesOf<Dim>::velocity, unit::speed, "of the centre of mass"},
+    Quantity{"angle", &RigidBodiesOf<Dim>::angle, unit::angle, "since it became rigid, counter-clockwise"},
+    Quantity{"spin", &RigidBodiesOf<Dim>::spin, unit::spin, "counter-clockwise"},
+    Quantity{"mass", &RigidBodiesOf<Dim>::mass, unit::mass, "of all its sites"},
+    Quantity{"inertia", &RigidBodiesOf<Dim>::inertia, unit::inertia,
+             "of its sites as points, about the centre"},
+    Quantity{"begin", &RigidBodiesOf<Dim>::begin, unit::none,
              "offsets [begin[r], begin[r + 1]) are of rigid body r"},
-    Quantity{"offset", &RigidBodies::offset, unit::length, "from the centre to each site, at angle 0"}};
+    Quantity{"offset", &RigidBodiesOf<Dim>::offset, unit::length,
+             "from the centre to each site, at angle 0"}};
 
 /// Without the memory of contacts, which has PairTable::width numbers a row, and images, which few have.
 template <>

@@ -44,6 +44,14 @@ class Judge {
       if (!(values[i] > 0 && is_computable(values[i])))
         positive_size(values[i], fmt::format("{} {}", name, i));
   }
+  /// Tensors, of which the diagonal is positive.
+  void positive_sizes(const std::vector<Mat<3>>& values, const char* name) const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (int d = 0; d < 3; ++d) {
+        positive_size(values[i][d][d], fmt::format("{} {}", name, i));
+        for (int e = 0; e < d; ++e) size(values[i][d][e], fmt::format("{} {}", name, i));
+      }
+  }
   template <int D>
   void sizes(const std::vector<Vec<D>>& values, const char* name) const {
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -106,7 +114,7 @@ class Judge {
     sizes(shape.rest_hinge, Dim == 2 ? "the preferred angle of corner" : "the preferred angle of edge");
     for (const BodyTermData& term : system_.terms)
       sizes(term.number, fmt::format("the {} of particles, number", term.name).c_str());
-    const RigidBodies& r = system_.rigid;
+    const RigidBodiesOf<Dim>& r = system_.rigid;
     positive_sizes(r.mass, "the mass of rigid particle");
     positive_sizes(r.inertia, "the inertia of rigid particle");
     for (const auto* vectors : {&r.centre, &r.velocity, &r.offset})

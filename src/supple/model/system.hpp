@@ -19,10 +19,10 @@ namespace supple {
 /// over sites and over rigid bodies. Those of other sites or bodies (knows_acceleration) count as 0.
 template <int Dim>
 struct Acceleration {
-  std::vector<Vec<Dim>> site;      ///< [length/time^2]
-  std::vector<Angular<Dim>> spin;  ///< [1/time^2]
-  std::vector<Vec2> rigid;         ///< [length/time^2]
-  std::vector<double> rigid_spin;  ///< [1/time^2]
+  std::vector<Vec<Dim>> site;            ///< [length/time^2]
+  std::vector<Angular<Dim>> spin;        ///< [1/time^2]
+  std::vector<Vec<Dim>> rigid;           ///< [length/time^2]
+  std::vector<Angular<Dim>> rigid_spin;  ///< [1/time^2]
 };
 
 /// The whole state of a simulation.
@@ -36,7 +36,7 @@ struct System {
   /// Of each body, its place among the species of its sample, on which the laws of its contacts depend.
   /// Bodies beyond the end are of the first.
   std::vector<std::int32_t> species;
-  RigidBodies rigid;  ///< empty: every body deforms
+  RigidBodiesOf<Dim> rigid;  ///< empty: every body deforms
   PairTable pairs;
   TouchTable touches;       ///< of bodies of many sites, where contacts remember
   std::vector<Link> links;  ///< between bodies of many sites, ascending by (first, second)

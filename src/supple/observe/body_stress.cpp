@@ -62,18 +62,25 @@ Mat<Dim> wall_moment(const System<Dim>& system, const SiteForce<Dim>& wall) {
   return moment;
 }
 
+/// What a site at this arm from the centre is accelerated by toward the axis of a spin.
+Vec2 toward_axis(double spin, const Vec2& arm) { return spin * spin * arm; }
+Vec3 toward_axis(const Vec3& spin, const Vec3& arm) { return cross(cross(spin, arm), spin); }
+
 /// Forces that keep the sites of rigid bodies together, under these forces on all sites.
-void add_rigid_forces(const System<2>& system, const std::vector<Vec2>& force, std::vector<Vec2>& inner) {
-  const RigidBodies& rigid = system.rigid;
+template <int Dim>
+void add_rigid_forces(const System<Dim>& system, const std::vector<Vec<Dim>>& force,
+                      std::vector<Vec<Dim>>& inner) {
+  const RigidBodiesOf<Dim>& rigid = system.rigid;
   for (int r = 0; r < rigid.size(); ++r) {
     if (held(system, r)) continue;  // what holds it acts on its sites: nothing is left to keep them together
-    const RigidForce whole = force_on_rigid(system, force, r);
-    const Vec2 acceleration = (1 / rigid.mass[r]) * whole.force;
-    const double turning = whole.torque / rigid.inertia[r], spin = rigid.spin[r];
+    const RigidForceOf<Dim> whole = force_on_rigid(system, force, r);
+    const Vec<Dim> acceleration = (1 / rigid.mass[r]) * whole.force;
+    const Angular<Dim> turning = spin_change(system, r, whole.torque), spin = rigid.spin[r];
     const std::int32_t b = rigid.body[r];
     for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) {
-      const Vec2 arm = system.state.position[i] - rigid.centre[r];
-      inner[i] += system.state.mass[i] * (acceleration + cross(turning, arm) - spin * spin * arm) - force[i];
+      const Vec<Dim> arm = system.state.position[i] - rigid.centre[r];
+      inner[i] +=
+          system.state.mass[i] * (acceleration + cross(turning, arm) - toward_axis(spin, arm)) - force[i];
     }
   }
 }
@@ -145,7 +152,7 @@ BodyStresses<Dim> body_stresses(const System<Dim>& system, ForceField<Dim>& fiel
   Evaluation<Dim> shape;
   shape.force.assign(static_cast<std::size_t>(system.state.size()), Vec<Dim>{});
   field.terms().evaluate(system, Detail::forces, shape);
-  if constexpr (Dim == 2) add_rigid_forces(system, evaluation.force, shape.force);
+  add_rigid_forces(system, evaluation.force, shape.force);
   BodyStresses<Dim> s = body_stresses(system, shape.force, field.bodies()->records(system),
                                       field.bodies()->laws(), evaluation.wall);
   if constexpr (Dim == 2) add_memory(system, evaluation, s);

@@ -120,20 +120,34 @@ Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   return shape;
 }
 
-void write_rigid_bodies(h5::Group group, const RigidBodies& rigid, const Units& units) {
+template <int Dim>
+void write_rigid_bodies(h5::Group group, const RigidBodiesOf<Dim>& rigid, const Units& units) {
   write_all(group, rigid, units);
 }
 
+namespace {
+
+bool is_inertia(double inertia) { return inertia > 0; }
+/// Symmetric, and by its minors positive.
+bool is_inertia(const Mat<3>& m) {
+  const double minor = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  const double determinant = m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) -
+                             m[1][2] * (m[0][0] * m[2][1] - m[0][1] * m[2][0]) + m[2][2] * minor;
+  return m[0][1] == m[1][0] && m[0][2] == m[2][0] && m[1][2] == m[2][1] && m[0][0] > 0 && minor > 0 &&
+         determinant > 0;
+}
+
+}  // namespace
+
 template <int Dim>
-RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& t) {
-  RigidBodies rigid;
+RigidBodiesOf<Dim> read_rigid_bodies(const h5::Group& group, const Topology<Dim>& t) {
+  RigidBodiesOf<Dim> rigid;
   read_all(group, rigid);
   const auto n = rigid.body.size();
   bool same_length = rigid.begin.size() == n + 1;
-  for (const auto* vectors : {&rigid.centre, &rigid.velocity})
-    same_length = same_length && vectors->size() == n;
-  for (const auto* numbers : {&rigid.angle, &rigid.spin, &rigid.mass, &rigid.inertia})
-    same_length = same_length && numbers->size() == n;
+  for (const std::size_t length : {rigid.centre.size(), rigid.velocity.size(), rigid.angle.size(),
+                                   rigid.spin.size(), rigid.mass.size(), rigid.inertia.size()})
+    same_length = same_length && length == n;
   expect_sound(same_length, group, "arrays of the rigid bodies differ in length");
   const bool is_ascending =
       std::adjacent_find(rigid.body.begin(), rigid.body.end(), std::greater_equal<>()) == rigid.body.end();
@@ -142,16 +156,17 @@ RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& t) {
   fits = fits && is_ascending && is_ranges(rigid.begin, rigid.offset.size());
   for (std::size_t r = 0; fits && r < n; ++r)
     fits = rigid.begin[r + 1] - rigid.begin[r] == t.body_size(rigid.body[r]) && rigid.mass[r] > 0 &&
-           rigid.inertia[r] > 0;
+           is_inertia(rigid.inertia[r]);
   expect_sound(fits, group, "rigid bodies and bodies disagree");
   return rigid;
 }
 
-#define SUPPLE_ARCHIVED(Dim)                                                   \
-  template void write_topology(h5::Group, const Topology<Dim>&, const Units&); \
-  template Topology<Dim> read_topology(const h5::Group&, int);                 \
-  template Shape read_shape(const h5::Group&, const Topology<Dim>&);           \
-  template RigidBodies read_rigid_bodies(const h5::Group&, const Topology<Dim>&);
+#define SUPPLE_ARCHIVED(Dim)                                                            \
+  template void write_topology(h5::Group, const Topology<Dim>&, const Units&);          \
+  template Topology<Dim> read_topology(const h5::Group&, int);                          \
+  template Shape read_shape(const h5::Group&, const Topology<Dim>&);                    \
+  template void write_rigid_bodies(h5::Group, const RigidBodiesOf<Dim>&, const Units&); \
+  template RigidBodiesOf<Dim> read_rigid_bodies(const h5::Group&, const Topology<Dim>&);
 SUPPLE_ARCHIVED(2)
 SUPPLE_ARCHIVED(3)
 #undef SUPPLE_ARCHIVED

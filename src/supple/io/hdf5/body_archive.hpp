@@ -28,9 +28,10 @@ std::vector<std::int32_t> read_species(const h5::Group& group, int bodies);
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
 
-void write_rigid_bodies(h5::Group group, const RigidBodies& rigid, const Units& units);
+template <int Dim>
+void write_rigid_bodies(h5::Group group, const RigidBodiesOf<Dim>& rigid, const Units& units);
 /// Throws a file error where the rigid bodies do not fit the topology.
 template <int Dim>
-RigidBodies read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);
+RigidBodiesOf<Dim> read_rigid_bodies(const h5::Group& group, const Topology<Dim>& topology);
 
 }  // namespace supple
