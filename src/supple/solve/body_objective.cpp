@@ -65,6 +65,7 @@ BodyObjective<Dim>::BodyObjective(System<Dim>& system, ForceField<Dim>& field,
       tolerance_(tolerance),
       tolerance_now_(tolerance.least),
       stiffness_(vertex_stiffness(system, field.bodies())) {
+  if constexpr (Dim == 3) shorten_angles(system);
   const std::vector<double>& radius = system.state.radius;
   largest_move_ = radius.empty() ? 1 : 0.2 * *std::min_element(radius.begin(), radius.end());
 }

@@ -15,7 +15,8 @@ struct ForceTolerance {
 };
 
 /// The energy of a system under a force field as a function of its free sites and rigid bodies (BodyDegrees),
-/// in a cell that stays as it is. Evaluating it moves the system.
+/// in a cell that stays as it is. Evaluating it moves the system. In 3D, making it gives rigid bodies the
+/// shortest of their rotation vectors.
 template <int Dim>
 class BodyObjective final : public Objective {
  public:

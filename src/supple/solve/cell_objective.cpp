@@ -23,7 +23,7 @@ CellObjective<Dim>::CellObjective(System<Dim>& system, ForceField<Dim>& field,
     if (i > 0 && body[sites[i]] == body[sites[i - 1]]) ++groups_.back().count;
     else groups_.push_back({Dim * i, 1});
   }
-  for (std::size_t k = Dim * sites.size(); k < at_.size(); k += 3) groups_.push_back({k, 1});
+  for (std::size_t k = Dim * sites.size(); k < at_.size(); k += rigid_numbers<Dim>) groups_.push_back({k, 1});
 }
 
 template <int Dim>

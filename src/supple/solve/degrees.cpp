@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "supple/core/rotation.hpp"
 #include "supple/model/rigid.hpp"
 
 namespace supple {
@@ -19,10 +20,33 @@ struct BodyDegrees<Dim>::Column {
 template <int Dim>
 struct BodyDegrees<Dim>::Columns {
   int count = 0;
-  Column column[3];
+  Column column[rigid_numbers<Dim>];
   const Column* begin() const { return column; }
   const Column* end() const { return column + count; }
 };
+
+namespace {
+
+/// Angles of a rigid body.
+template <int Dim>
+constexpr int angles = rigid_numbers<Dim> - Dim;
+
+/// Component k of an angle or torque, of which there is one in 2D.
+double& part(double& angle, int) { return angle; }
+double part(const double& angle, int) { return angle; }
+double& part(Vec3& angle, int k) { return angle[k]; }
+double part(const Vec3& angle, int k) { return angle[k]; }
+
+Vec3 column_of(const Mat<3>& m, int c) { return {m[0][c], m[1][c], m[2][c]}; }
+
+/// What a torque does along the numbers of the angle: T^T torque.
+double along_angles(double, double torque) { return torque; }
+Vec3 along_angles(const Vec3& angle, const Vec3& torque) {
+  const Mat<3> t = turning(angle);
+  return {dot(column_of(t, 0), torque), dot(column_of(t, 1), torque), dot(column_of(t, 2), torque)};
+}
+
+}  // namespace
 
 template <int Dim>
 BodyDegrees<Dim>::BodyDegrees(const System<Dim>& system) {
@@ -40,14 +64,13 @@ BodyDegrees<Dim>::BodyDegrees(const System<Dim>& system) {
       sites_.push_back(i);
     }
   plain_ = sites_.size() == n;
-  if constexpr (Dim == 2)
-    for (int r = 0; r < system.rigid.size(); ++r) {
-      if (held(system, r)) continue;
-      const int b = system.rigid.body[r];
-      for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) first_[i] = size_;
-      size_ += 3;
-      bodies_.push_back(r);
-    }
+  for (int r = 0; r < system.rigid.size(); ++r) {
+    if (held(system, r)) continue;
+    const int b = system.rigid.body[r];
+    for (int i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i) first_[i] = size_;
+    size_ += rigid_numbers<Dim>;
+    bodies_.push_back(r);
+  }
 }
 
 template <int Dim>
@@ -60,11 +83,11 @@ void BodyDegrees<Dim>::read(const System<Dim>& system, std::span<double> q) cons
   double* at = q.data();
   for (const std::int32_t i : sites_)
     for (int d = 0; d < Dim; ++d) *at++ = system.state.position[i][d];
-  if constexpr (Dim == 2)
-    for (const std::int32_t r : bodies_) {
-      for (int d = 0; d < 2; ++d) *at++ = system.rigid.centre[r][d];
-      *at++ = system.rigid.angle[r] * gyration_radius(system.rigid, r);
-    }
+  for (const std::int32_t r : bodies_) {
+    for (int d = 0; d < Dim; ++d) *at++ = system.rigid.centre[r][d];
+    const double radius = gyration_radius(system.rigid, r);
+    for (int k = 0; k < angles<Dim>; ++k) *at++ = part(system.rigid.angle[r], k) * radius;
+  }
 }
 
 template <int Dim>
@@ -78,12 +101,12 @@ void BodyDegrees<Dim>::write(std::span<const double> q, System<Dim>& system) con
   const double* at = q.data();
   for (const std::int32_t i : sites_)
     for (int d = 0; d < Dim; ++d) system.state.position[i][d] = *at++;
-  if constexpr (Dim == 2)
-    for (const std::int32_t r : bodies_) {
-      for (int d = 0; d < 2; ++d) system.rigid.centre[r][d] = *at++;
-      system.rigid.angle[r] = *at++ / gyration_radius(system.rigid, r);
-    }
-  if constexpr (Dim == 2) place_sites(system);
+  for (const std::int32_t r : bodies_) {
+    for (int d = 0; d < Dim; ++d) system.rigid.centre[r][d] = *at++;
+    const double radius = gyration_radius(system.rigid, r);
+    for (int k = 0; k < angles<Dim>; ++k) part(system.rigid.angle[r], k) = *at++ / radius;
+  }
+  place_sites(system);
 }
 
 template <int Dim>
@@ -92,12 +115,13 @@ void BodyDegrees<Dim>::gradient(const System<Dim>& system, const std::vector<Vec
   double* at = g.data();
   for (const std::int32_t i : sites_)
     for (int d = 0; d < Dim; ++d) *at++ = -force[i][d];
-  if constexpr (Dim == 2)
-    for (const std::int32_t r : bodies_) {
-      const RigidForce on_body = force_on_rigid(system, force, r);
-      for (int d = 0; d < 2; ++d) *at++ = -on_body.force[d];
-      *at++ = -on_body.torque / gyration_radius(system.rigid, r);
-    }
+  for (const std::int32_t r : bodies_) {
+    const RigidForceOf<Dim> on_body = force_on_rigid(system, force, r);
+    const Angular<Dim> along = along_angles(system.rigid.angle[r], on_body.torque);
+    const double radius = gyration_radius(system.rigid, r);
+    for (int d = 0; d < Dim; ++d) *at++ = -on_body.force[d];
+    for (int k = 0; k < angles<Dim>; ++k) *at++ = -part(along, k) / radius;
+  }
 }
 
 template <int Dim>
@@ -111,9 +135,14 @@ typename BodyDegrees<Dim>::Columns BodyDegrees<Dim>::columns_of(const System<Dim
     columns.column[d].slope[d] = 1;
   }
   if (r < 0) return columns;
+  const Vec<Dim> arm = system.state.position[site] - system.rigid.centre[r];
+  const double scale = 1 / gyration_radius(system.rigid, r);
   if constexpr (Dim == 2) {
-    const Vec2 arm = system.state.position[site] - system.rigid.centre[r];
-    columns.column[columns.count++] = {first + 2, (1 / gyration_radius(system.rigid, r)) * turned_left(arm)};
+    columns.column[columns.count++] = {first + 2, scale * turned_left(arm)};
+  } else {
+    const Mat<3> t = turning(system.rigid.angle[r]);
+    for (int k = 0; k < 3; ++k)
+      columns.column[columns.count++] = {first + 3 + k, scale * cross(column_of(t, k), arm)};
   }
   return columns;
 }
@@ -162,18 +191,49 @@ void BodyDegrees<Dim>::add_blocks(const System<Dim>& system, const HessianBlocks
   }
 }
 
+namespace {
+
+/// Sum of -F . d2x/dq2, q a rotation vector, over sites x whose forces F have this torque and this moment,
+/// the sum of F arm^T. As dx = T dq x arm, d2x/dq_k dq_l = dt_k/dq_l x arm + t_k x (t_l x arm), t_k the
+/// columns of T.
+Mat<3> by_angles(const Vec3& angle, const Vec3& torque, const Mat<3>& moment) {
+  const Mat<3> t = turning(angle), slope = turning_slope(angle, torque);
+  const double trace = moment[0][0] + moment[1][1] + moment[2][2];
+  Mat<3> h;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 along = moment * column_of(t, k);
+    for (int l = 0; l < 3; ++l) {
+      const Vec3 other = column_of(t, l);
+      h[k][l] = dot(other, column_of(t, k)) * trace - dot(other, along) - slope[k][l];
+    }
+  }
+  return h;
+}
+
+}  // namespace
+
 template <int Dim>
 void BodyDegrees<Dim>::add_turning(const System<Dim>& system, int b, const std::vector<Vec<Dim>>& force,
                                    std::vector<MatrixEntry>& entries) const {
   const int first_site = system.topology.body_begin(b);
   const std::int32_t r = rigid_[first_site];
   if (r < 0 || first_[first_site] < 0) return;
-  double value = 0;  // d2x/d(angle)2 = -arm
-  if constexpr (Dim == 2)
+  const std::int32_t angle = first_[first_site] + Dim;
+  if constexpr (Dim == 2) {
+    double value = 0;  // d2x/d(angle)2 = -arm
     for (int i = first_site; i < system.topology.body_end(b); ++i)
       value += dot(force[i], system.state.position[i] - system.rigid.centre[r]);
-  const std::int32_t angle = first_[first_site] + 2;
-  entries.emplace_back(angle, angle, value * system.rigid.mass[r] / system.rigid.inertia[r]);
+    entries.emplace_back(angle, angle, value * system.rigid.mass[r] / system.rigid.inertia[r]);
+  } else {
+    Mat<3> moment;
+    for (int i = first_site; i < system.topology.body_end(b); ++i)
+      moment.add_outer(1, force[i], system.state.position[i] - system.rigid.centre[r]);
+    const Vec3 torque = force_on_rigid(system, force, r).torque;
+    const Mat<3> h = by_angles(system.rigid.angle[r], torque, moment);
+    const double radius = gyration_radius(system.rigid, r);
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l <= k; ++l) entries.emplace_back(angle + k, angle + l, h[k][l] / (radius * radius));
+  }
 }
 
 template <int Dim>
@@ -182,7 +242,7 @@ std::vector<double> BodyDegrees<Dim>::masses(const System<Dim>& system) const {
   masses.reserve(static_cast<std::size_t>(size_));
   for (const std::int32_t i : sites_) masses.insert(masses.end(), Dim, system.state.mass[i]);
   // Angle times radius of gyration has the mass of the body.
-  for (const std::int32_t r : bodies_) masses.insert(masses.end(), 3, system.rigid.mass[r]);
+  for (const std::int32_t r : bodies_) masses.insert(masses.end(), rigid_numbers<Dim>, system.rigid.mass[r]);
   return masses;
 }
 

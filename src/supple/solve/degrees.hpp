@@ -11,17 +11,18 @@
 namespace supple {
 
 /// The degrees of freedom of a system as a vector q [length]. First the coordinates of every free site
-/// outside rigid bodies, in the order of sites; then, for every rigid body that is not held, x, y of its
-/// centre and its angle times its radius of gyration (2D; no body of 3D is rigid). Nothing else moves. Which
-/// sites and bodies these are is decided at construction. Where all sites are free and none is rigid, q holds
-/// the positions.
+/// outside rigid bodies, in the order of sites; then, for every rigid body that is not held, the coordinates
+/// of its centre and its angle (in 3D the three numbers of its rotation vector) times its radius of gyration.
+/// Nothing else moves. Which sites and bodies these are is decided at construction. Where all sites are free
+/// and none is rigid, q holds the positions. A rotation vector is a good coordinate up to a length of pi
+/// (shorten_angles); its slope is T^T torque, T = dw/dq of core/rotation.hpp, which is the torque at angle 0.
 template <int Dim>
 class BodyDegrees {
  public:
   explicit BodyDegrees(const System<Dim>& system);
 
   int size() const { return size_; }
-  /// Number of sites among q: their coordinates come first; three numbers for each rigid body follow.
+  /// Number of sites among q: their coordinates come first; `rigid_numbers` for each rigid body follow.
   int site_count() const { return static_cast<int>(sites_.size()); }
   /// These sites, in their order.
   const std::vector<std::int32_t>& sites() const { return sites_; }
@@ -51,7 +52,8 @@ class BodyDegrees {
   /// The first number of a free site, or of the rigid body that it belongs to; -1: it does not move.
   std::int32_t first_number(std::int32_t site) const { return first_[site]; }
   bool is_rigid(std::int32_t site) const { return rigid_[site] >= 0; }
-  /// Mass of each number q_k: mass d2q_k/dt2 = -dU/dq_k.
+  /// Mass of each number q_k: mass d2q_k/dt2 = -dU/dq_k. Of angles in 3D near angle 0, and as far as the
+  /// moments of inertia of the body are alike.
   std::vector<double> masses(const System<Dim>& system) const;
 
  private:
