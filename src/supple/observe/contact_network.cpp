@@ -151,14 +151,12 @@ ConstraintCount count_constraints(const System<Dim>& system, const std::vector<S
   const int sites = system.state.size();
   const std::vector<std::int32_t> body = bodies_of_sites(system.topology, sites);
   for (int d = 0; d < Dim; ++d) out.translations += system.box.periodic[d];
-  const std::vector<std::int32_t>& rigid = system.rigid.body;
   for (int b = 0; b < system.topology.body_count(sites); ++b) {
     if (!counts(left_out, b)) continue;
-    if constexpr (Dim == 2)
-      if (const auto r = std::lower_bound(rigid.begin(), rigid.end(), b); r != rigid.end() && *r == b) {
-        out.freedoms += held(system, static_cast<int>(r - rigid.begin())) ? 0 : 3;
-        continue;
-      }
+    if (const int r = rigid_index(system, b); r >= 0) {
+      out.freedoms += held(system, r) ? 0 : rigid_numbers<Dim>;
+      continue;
+    }
     const int n = system.topology.body_size(b);
     for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
       out.freedoms += system.state.mobility[i] == Mobility::free ? Dim : 0;

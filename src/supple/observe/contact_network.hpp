@@ -80,18 +80,18 @@ struct ConstraintCount {
   int shape = 0;         ///< independent constraints that the shape energy makes
   int contacts = 0;      ///< site contacts, and sites on walls
 
-  /// Contacts of an isostatic packing: in a periodic cell 2N - 1 for N smooth discs, 3N - 1 for N shells,
-  /// 3N - 2 for N smooth spheres.
+  /// Contacts of an isostatic packing: in a periodic cell 2N - 1 for N smooth discs, 3N - 1 for N shells; in
+  /// 3D 3N - 2 for N smooth spheres, 6N - 2 for N shells or rigid surfaces.
   int needed() const { return freedoms - translations - shape + 1; }
   /// Contacts beyond isostatic. Packings of N floppy polygons of n sites lack N(n - 1) - 1 - contacts, which
   /// is their number of quartic modes.
   int excess() const { return contacts - needed(); }
 };
 
-/// Counts over the bodies that are not left out. A rigid body has 3 degrees of freedom, each free site of
-/// another one has 2 (3D: 3). The shape energy of a polygon (surface) of n sites constrains as many of its
-/// 2n - 3 (3n - 6) deformations as it has stiff terms (1 for its area or volume, one for each of its edges or
-/// triangles), and all of them where hinges are stiff or facets have tension.
+/// Counts over the bodies that are not left out. A rigid body has 3 degrees of freedom (3D: 6), each free
+/// site of another one has 2 (3D: 3). The shape energy of a polygon (surface) of n sites constrains as many
+/// of its 2n - 3 (3n - 6) deformations as it has stiff terms (1 for its area or volume, one for each of its
+/// edges or triangles), and all of them where hinges are stiff or facets have tension.
 template <int Dim>
 ConstraintCount count_constraints(const System<Dim>& system, const std::vector<SiteContact<Dim>>& contacts,
                                   std::span<const std::uint8_t> left_out = {},
