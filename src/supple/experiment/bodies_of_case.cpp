@@ -156,7 +156,9 @@ std::vector<Species> species_of(const Case& c) {
 }
 
 bool is_disc(const ParticleKind& kind) { return kind.family == "disc" || kind.family == "sphere"; }
-bool is_soft(const ParticleKind& kind) { return !is_disc(kind) && kind.family != "rough_disc"; }
+bool is_soft(const ParticleKind& kind) {
+  return !is_disc(kind) && kind.family != "rough_disc" && kind.family != "rough_sphere";
+}
 
 double least_shape_parameter(const Case& c, const ParticleKind& kind) {
   if (c.bodies.dimensions == 2) return least_shape_parameter(kind.vertices);

@@ -80,14 +80,14 @@ void check_dimensions(const Case& c, const std::string& section, const ParticleK
     add_problem(problems, c, fmt::format("{}.{} with bodies.dim = {}", section, what, c.bodies.dimensions),
                 why, to_do);
   };
-  if (flat && p.family == "sphere")
-    refuse("family = \"sphere\"", "spheres are of three dimensions",
-           "set family = \"disc\", or bodies.dim = 3");
-  if (!flat && p.family == "disc")
-    refuse("family = \"disc\"", "discs are of two dimensions", "set family = \"sphere\"");
-  if (!flat && p.family == "rough_disc")
-    refuse("family = \"rough_disc\"", "discs are of two dimensions",
-           "set family = \"shell\", with a large stiffness");
+  for (const auto& [disc, sphere] : {std::pair("disc", "sphere"), std::pair("rough_disc", "rough_sphere")}) {
+    if (flat && p.family == sphere)
+      refuse(fmt::format("family = \"{}\"", sphere), "spheres are of three dimensions",
+             fmt::format("set family = \"{}\", or bodies.dim = 3", disc));
+    if (!flat && p.family == disc)
+      refuse(fmt::format("family = \"{}\"", disc), "discs are of two dimensions",
+             fmt::format("set family = \"{}\"", sphere));
+  }
   if (const int nearest = nearest_geodesic(p.vertices); !flat && !is_disc(p) && nearest != p.vertices)
     refuse(fmt::format("vertices = {}", p.vertices),
            "a geodesic sphere has 12, 42, 162, 642 ... of them: triangles of an icosahedron cut into four",
@@ -108,11 +108,12 @@ void check_kind(const Case& c, const std::string& section, const ParticleKind& p
     add_problem(problems, c, fmt::format("{0}.A0 and {0}.A0_ratio", section),
                 "the second is the first over that of the regular polygon", "leave one away");
   if (!is_disc(p)) check_ratio(c, section + ".A0_ratio", p.shape_ratio, problems);
-  if (p.family == "rough_disc" && c.contact.kind == "smooth")
+  if (!is_disc(p) && !is_soft(p) && c.contact.kind == "smooth")
     add_problem(problems, c,
-                fmt::format("{}.family = \"rough_disc\" with contact.kind = \"smooth\"", section),
-                "a rough disc is a ring of vertices",
-                "set contact.kind = \"rough\", or family = \"disc\" for smooth discs");
+                fmt::format("{}.family = \"{}\" with contact.kind = \"smooth\"", section, p.family),
+                flat ? "a rough disc is a ring of vertices" : "a rough sphere is a surface of vertices",
+                flat ? "set contact.kind = \"rough\", or family = \"disc\" for smooth discs"
+                     : "set contact.kind = \"rough\", or family = \"sphere\" for smooth spheres");
 }
 
 /// Keys of [bodies] that say what [[species]] say.

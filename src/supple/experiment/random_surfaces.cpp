@@ -10,6 +10,7 @@
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
 #include "supple/experiment/random_centres.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple {
 
@@ -60,9 +61,11 @@ void add_particle(const SurfaceKind& kind, const TriangleMesh& unit, int body, c
   turn(mesh, draw);
   const auto first = static_cast<std::size_t>(system.state.size());
   add_surface(system, mesh, kind.diameter_ratio, kind.shape);
-  if (kind.shape.shape_parameter > 0) push(mesh, draw);
+  const bool rigid = kind.motion == SurfaceMotion::rigid;
+  if (!rigid && kind.shape.shape_parameter > 0) push(mesh, draw);
   for (std::size_t k = 0; k < mesh.vertex.size(); ++k)
     system.state.position[first + k] = mesh.vertex[k] + centre;
+  if (rigid) make_rigid(system, body);
 }
 
 }  // namespace
@@ -93,7 +96,8 @@ System<3> surfaces_about(const std::vector<SurfaceKind>& kinds, const std::vecto
 
 System<3> random_surfaces(const SurfaceSample& sample, const std::function<bool()>& stop_requested) {
   check(sample);
-  SurfaceKind small{sample.count, sample.vertices, 1, sample.diameter_ratio, sample.shape}, large = small;
+  SurfaceKind small{sample.count, sample.vertices, 1, sample.diameter_ratio, sample.shape, sample.motion},
+      large = small;
   large.count = static_cast<int>(std::lround(sample.large_fraction * sample.count));
   large.diameter = sample.size_ratio;
   small.count -= large.count;

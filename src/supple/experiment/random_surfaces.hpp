@@ -9,6 +9,9 @@
 
 namespace supple {
 
+/// Whether the vertices of a surface move by themselves, or all as one piece (make_rigid).
+enum class SurfaceMotion { deforming, rigid };
+
 /// Particles of one kind in 3D.
 struct SurfaceKind {
   int count = 1;
@@ -16,6 +19,7 @@ struct SurfaceKind {
   double diameter = 1;        ///< of the sphere of its volume, over that of volume 1
   double diameter_ratio = 1;  ///< of vertices, over the mean edge; for smooth spheres it means nothing
   ShapeSpec shape = {};       ///< relative stiffnesses mean the same for every size
+  SurfaceMotion motion = SurfaceMotion::deforming;
 };
 
 /// The radius of the sphere round each particle of these kinds, one kind after the other [length].
@@ -32,8 +36,9 @@ struct SurfaceSample {
   int count = 16;
   int vertices = 42;  ///< 12, 42, 162 ... (geodesic_icosahedron); 1: smooth spheres
   double size_ratio = 1.4, large_fraction = 0.5;
-  double diameter_ratio = 1;      ///< of vertices, over the mean edge; for smooth spheres it means nothing
-  ShapeSpec shape = {};           ///< of each of them; relative stiffnesses mean the same for both sizes
+  double diameter_ratio = 1;  ///< of vertices, over the mean edge; for smooth spheres it means nothing
+  SurfaceMotion motion = SurfaceMotion::deforming;  ///< for smooth spheres it means nothing
+  ShapeSpec shape = {};           ///< of those that deform; relative stiffnesses mean the same for both sizes
   double packing_fraction = 0.1;  ///< of the spheres that enclose the particles
   std::int64_t seed = 1;
 };

@@ -13,7 +13,7 @@ namespace {
 
 /// Velocities of the instant of the positions; the packing's own report of everything else.
 Frame<2> sheared_frame(Packing<2>& packing, const Mover<2>& dynamics, const PresentMotion<2>& now,
-                    double rate_now) {
+                       double rate_now) {
   Frame<2> frame = packing_frame(packing, report_packing(packing, now));
   dynamics.bring_to_instant(packing.system, rate_now, frame.velocity, frame.spin);
   frame.strain_rate = rate_now;

@@ -44,7 +44,8 @@ std::vector<std::int32_t> places_of(const Case& c) {
 std::vector<SurfaceKind> surface_kinds(const Case& c) {
   std::vector<SurfaceKind> kinds;
   for (const Species& s : species_of(c))
-    kinds.push_back({s.count, is_disc(s) ? 1 : s.vertices, s.diameter, s.diameter_ratio, shape_spec(c, s)});
+    kinds.push_back({s.count, is_disc(s) ? 1 : s.vertices, s.diameter, s.diameter_ratio, shape_spec(c, s),
+                     is_soft(s) ? SurfaceMotion::deforming : SurfaceMotion::rigid});
   return kinds;
 }
 
