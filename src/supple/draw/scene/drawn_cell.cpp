@@ -6,14 +6,16 @@
 
 namespace supple {
 
-double drawn_strain(const Box<2>& box) {
+template <int Dim>
+double drawn_strain(const Box<Dim>& box) {
   if (!box.periodic[flow]) return 0;
   const double repeat = box.length[flow] / box.length[gradient];
   return box.strain - repeat * std::round(box.strain / repeat);
 }
 
 namespace {
-Lattice<2> drawn_lattice(Box<2> box) {
+template <int Dim>
+Lattice<Dim> drawn_lattice(Box<Dim> box) {
   box.strain = drawn_strain(box);
   return box.lattice();
 }
@@ -22,6 +24,16 @@ Lattice<2> drawn_lattice(Box<2> box) {
 std::array<Vec2, 4> cell_corners(const Box<2>& box) {
   const double lx = box.length[flow], ly = box.length[gradient], lean = 0.5 * drawn_lattice(box).shift;
   return {{{-lean, 0}, {lx - lean, 0}, {lx + lean, ly}, {lean, ly}}};
+}
+
+std::array<Vec3, 8> cell_corners(const Box<3>& box) {
+  const Lattice<3> lattice = drawn_lattice(box);
+  std::array<Vec3, 8> corner;
+  for (int k = 0; k < 8; ++k) {
+    corner[k] = lattice.vector({1.0 * (k & 1), 1.0 * (k >> 1 & 1), 1.0 * (k >> 2 & 1)});
+    corner[k][flow] -= 0.5 * lattice.shift;
+  }
+  return corner;
 }
 
 Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points, std::span<const double> radius,
@@ -41,9 +53,10 @@ Lies lies_in(const std::array<Vec2, 4>& corner, std::span<const Vec2> points, st
   return inside ? Lies::inside : Lies::across;
 }
 
-Vec2 into_cell(const Box<2>& box, Vec2 x) {
-  Vec2 unused{};
-  Box<2> vertical = box;
+template <int Dim>
+Vec<Dim> into_cell(const Box<Dim>& box, Vec<Dim> x) {
+  Vec<Dim> unused{};
+  Box<Dim> vertical = box;
   vertical.periodic[flow] = false;
   vertical.wrap(x, unused);
   if (box.periodic[flow]) {
@@ -61,5 +74,10 @@ std::vector<Vec2> neighbour_cells(const Box<2>& box) {
       if (p != 0 || q != 0) shifts.push_back(drawn_lattice(box).vector({1.0 * p, 1.0 * q}));
   return shifts;
 }
+
+template double drawn_strain(const Box<2>&);
+template double drawn_strain(const Box<3>&);
+template Vec2 into_cell(const Box<2>&, Vec2);
+template Vec3 into_cell(const Box<3>&, Vec3);
 
 }  // namespace supple
