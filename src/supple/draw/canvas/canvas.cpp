@@ -220,6 +220,33 @@ void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
   cairo_new_path(c);
 }
 
+void Canvas::image(Point upper_left, const PixelRows& pixels, double dots_per_inch) {
+  cairo_t* c = surface_->context;
+  cairo_surface_t* image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(pixels.width),
+                                                      static_cast<int>(pixels.height));
+  if (cairo_surface_status(image) == CAIRO_STATUS_SUCCESS) {
+    cairo_surface_flush(image);
+    for (std::size_t y = 0; y < pixels.height; ++y)
+      std::copy_n(pixels.first + y * pixels.stride, pixels.width,
+                  reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(image) +
+                                                   y * cairo_image_surface_get_stride(image)));
+    cairo_surface_mark_dirty(image);
+  }
+  double x = upper_left[0], y = upper_left[1];
+  cairo_user_to_device(c, &x, &y);
+  if (is_raster(surface_->format)) x = std::round(x), y = std::round(y);
+  cairo_device_to_user(c, &x, &y);
+  cairo_save(c);
+  cairo_translate(c, x, y);
+  cairo_scale(c, 72 / dots_per_inch, 72 / dots_per_inch);
+  cairo_set_source_surface(c, image, 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
+  cairo_rectangle(c, 0, 0, static_cast<double>(pixels.width), static_cast<double>(pixels.height));
+  cairo_fill(c);
+  cairo_restore(c);
+  cairo_surface_destroy(image);
+}
+
 void Canvas::clipped(std::span<const Point> polygon, ClipTo side, const std::function<void()>& draw) {
   cairo_t* c = surface_->context;
   cairo_save(c);

@@ -9,6 +9,7 @@
 
 #include "supple/core/vec.hpp"
 #include "supple/draw/canvas/color.hpp"
+#include "supple/draw/canvas/pixel_rows.hpp"
 
 namespace supple {
 
@@ -72,6 +73,11 @@ class Canvas {
   void text(Point at, const std::string& text, const TextStyle& style = {});
   /// Width of a line of text [pt].
   double text_width(const std::string& text, const TextStyle& style = {}) const;
+
+  /// Puts these pixels on the page, that many to an inch, without change: in png and jpg the upper left
+  /// corner is moved to the nearest pixel, which makes them pixels of the picture where it has as many to an
+  /// inch.
+  void image(Point upper_left, const PixelRows& pixels, double dots_per_inch);
 
   /// Runs `draw`; only what it draws inside (or outside) the polygon shows.
   void clipped(std::span<const Point> polygon, ClipTo side, const std::function<void()>& draw);

@@ -1,5 +1,7 @@
 #include "supple/draw/page/cell_page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,24 @@ constexpr double least_height = 190;    // that the legend needs [pt]
 
 std::string shown(const Units& units, double in_si, const char* unit, Digits digits) {
   return units.name == reduced_units().name ? short_number(in_si) : with_unit(in_si, unit, digits);
+}
+
+std::string instant_title(const Units& units, double time, double strain, double drawn, bool flows) {
+  const bool passes = time != 0 || units.name != reduced_units().name;
+  std::string text;
+  if (passes) text += "t = " + shown(units, time * units.time, "s", Digits::three) + "     ";
+  if (strain != 0 || (passes && flows))
+    text += fmt::format("\u03b3 = {}\u00a0%", tick_label(100 * strain, 0.1));
+  if (std::abs(drawn - strain) > 1e-9)
+    text += fmt::format("     (drawn at the equivalent {}\u00a0%)", tick_label(100 * drawn, 0.1));
+  return text;
+}
+
+void draw_scale_bar(Canvas& canvas, Point at, double scale, double longest, const Units& units) {
+  const double in_si = round_below(longest * units.length);
+  const double width = in_si / units.length * scale;
+  canvas.rectangle(at, {at[0] + width, at[1] + 3}, {ink, {}});
+  canvas.text({at[0] + width + 6, at[1] + 1.5}, shown(units, in_si, "m"), {.size = 9, .down = Down::middle});
 }
 
 CellPage::CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room,
@@ -63,11 +83,8 @@ void CellPage::draw_title(const std::string& title) {
 }
 
 void CellPage::draw_scale_bar(const Units& units) {
-  const double in_si = round_below(0.25 * room_[flow] * units.length), x = edge + rim_;
-  const double width = in_si / units.length * scale_;
   const double y = title_height + 2 * rim_ + room_[gradient] * scale_ + 5;
-  canvas_.rectangle({x, y}, {x + width, y + 3}, {ink, {}});
-  canvas_.text({x + width + 6, y + 1.5}, shown(units, in_si, "m"), {.size = 9, .down = Down::middle});
+  supple::draw_scale_bar(canvas_, {edge + rim_, y}, scale_, 0.25 * room_[flow], units);
 }
 
 }  // namespace supple

@@ -15,10 +15,20 @@ namespace supple {
 /// A number with its unit and an SI prefix; in runs whose units have no names, the number alone.
 std::string shown(const Units& units, double in_si, const char* unit, Digits digits = Digits::fewest);
 
-class CellPage {
- public:
-  static constexpr double edge = 10, title_height = 20, foot_height = 26, legend_width = 112;  ///< [pt]
+/// Time, where it passes, and strain; `drawn`: the strain that the cell has in the picture (drawn_strain).
+std::string instant_title(const Units& units, double time, double strain, double drawn, bool flows);
 
+/// Draws a bar of a round length, at most `longest` [length], and this length right of it. `at`: its upper
+/// left corner; `scale`: points for a length of 1.
+void draw_scale_bar(Canvas& canvas, Point at, double scale, double longest, const Units& units);
+
+/// What every page has around its picture [pt].
+struct PageMargins {
+  static constexpr double edge = 10, title_height = 20, foot_height = 26, legend_width = 112;
+};
+
+class CellPage : public PageMargins {
+ public:
   /// cell_size: longer side of the unsheared cell [pt]. strain_room: leaves room for the cell at this strain.
   /// room: leaves room for a cell of these lengths, whose longer side then is cell_size.
   CellPage(const std::string& path, const Box<2>& box, double cell_size, double strain_room,

@@ -110,10 +110,9 @@ class SnapshotPage {
     color_ = options_.color;
     if (!options_.scalar && color_.empty()) color_ = colors_apart(scene_);
     if (!options_.scalar) return;
-    const auto& [label, unit, value, range] = *options_.scalar;
-    scale_ = range ? ColorScale{range->first, range->second} : scale_over(value);
+    scale_ = scale_of(*options_.scalar);
     color_.clear();
-    for (const double v : value) color_.push_back(scale_.color(v));
+    for (const double v : options_.scalar->value) color_.push_back(scale_.color(v));
   }
 
   std::vector<Point> on_page(const std::vector<Vec2>& points, const Vec2& shift) const {
@@ -223,15 +222,8 @@ class SnapshotPage {
 
   std::string title() const {
     if (!options_.title.empty()) return options_.title;
-    const double strain = scene_.box.strain, drawn = drawn_strain(scene_.box), time = scene_.time;
-    const bool passes = time != 0 || scene_.units.name != reduced_units().name;
-    std::string text;
-    if (passes) text += "t = " + shown(scene_.units, time * scene_.units.time, "s", Digits::three) + "     ";
-    if (strain != 0 || (passes && scene_.box.periodic[flow]))
-      text += fmt::format("\u03b3 = {}\u00a0%", tick_label(100 * strain, 0.1));
-    if (std::abs(drawn - strain) > 1e-9)
-      text += fmt::format("     (drawn at the equivalent {}\u00a0%)", tick_label(100 * drawn, 0.1));
-    return text;
+    return instant_title(scene_.units, scene_.time, scene_.box.strain, drawn_strain(scene_.box),
+                         scene_.box.periodic[flow]);
   }
 
   void draw_legend() {
@@ -262,16 +254,23 @@ class SnapshotPage {
 
 }  // namespace
 
+void check_colors(const std::string& path, std::size_t bodies, const std::optional<BodyScalar>& scalar,
+                  const std::vector<Color>& color) {
+  const std::string what = "cannot draw '" + path + "'";
+  const std::size_t given = scalar ? scalar->value.size() : color.size();
+  if (given != bodies && (scalar || given > 0))
+    throw input_error(what, fmt::format("{} numbers or colours for {} bodies", given, bodies));
+  if (scalar && scalar->range && !(scalar->range->first < scalar->range->second))
+    throw input_error(what, "the range of its colours is empty");
+}
+
+ColorScale scale_of(const BodyScalar& scalar) {
+  return scalar.range ? ColorScale{scalar.range->first, scalar.range->second} : scale_over(scalar.value);
+}
+
 void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options) {
   check_scene(scene, path);
-  const std::string what = "cannot draw '" + path + "'";
-  const auto bodies = static_cast<std::size_t>(scene.bodies());
-  const std::size_t given = options.scalar ? options.scalar->value.size() : options.color.size();
-  if (given != bodies && (options.scalar || given > 0))
-    throw input_error(what, fmt::format("{} numbers or colours for {} bodies", given, bodies));
-  if (options.scalar && options.scalar->range &&
-      !(options.scalar->range->first < options.scalar->range->second))
-    throw input_error(what, "the range of its colours is empty");
+  check_colors(path, static_cast<std::size_t>(scene.bodies()), options.scalar, options.color);
   SnapshotPage(path, scene, options).draw();
 }
 

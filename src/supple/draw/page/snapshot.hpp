@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "supple/draw/canvas/color.hpp"
+#include "supple/draw/canvas/color_scale.hpp"
 #include "supple/draw/scene/scene.hpp"
 
 namespace supple {
@@ -16,6 +17,14 @@ struct BodyScalar {
   std::vector<double> value;                            ///< of each body
   std::optional<std::pair<double, double>> range = {};  ///< of the colours; empty: that of the values
 };
+
+/// The numbers at the ends of its colours.
+ColorScale scale_of(const BodyScalar& scalar);
+
+/// Throws an input error ("cannot draw 'PATH'") where there are not as many numbers, or colours, as bodies,
+/// or the range of colours is empty.
+void check_colors(const std::string& path, std::size_t bodies, const std::optional<BodyScalar>& scalar,
+                  const std::vector<Color>& color);
 
 struct SnapshotOptions {
   std::optional<BodyScalar> scalar = {};  ///< chooses the colours where it is given

@@ -1,0 +1,17 @@
+/// Which parts of a line particles hide.
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "supple/draw/solid/solid_scene.hpp"
+#include "supple/draw/solid/view.hpp"
+
+namespace supple {
+
+/// The parts of the line from a to b [length] that no triangle or sphere lies in front of, in order, as
+/// shares in [0, 1] of the line. Computed, not sampled: the line is cut where it leaves the shadow of a
+/// shape.
+std::vector<std::pair<double, double>> visible_parts(const SolidScene& scene, const ViewAxes& axes,
+                                                     const Vec3& a, const Vec3& b);
+
+}  // namespace supple
