@@ -46,7 +46,8 @@ std::optional<double> find(const std::vector<Derived>& derived, const std::strin
 }
 
 double site_count(const Case& c, const std::optional<InitialState>& initial) {
-  return static_cast<double>(initial ? initial->system.state.size() : experiment_of(c).matter->sites(c));
+  return static_cast<double>(initial ? supple::site_count(initial->system)
+                                     : experiment_of(c).matter->sites(c));
 }
 
 template <class P>

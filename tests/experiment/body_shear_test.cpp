@@ -179,7 +179,7 @@ TEST(BodyShear, GoesOnFromAStateWithItsLinks) {
   InitialState state;
   state.system = first.last_system;
   state.units = reduced_units();
-  state.system.box.strain_rate = 0;
+  system_of<2>(state).box.strain_rate = 0;
   const MemoryRecorder next = result_of(c, &state);
   EXPECT_EQ(next.get("results", "links"), first.get("results", "links"));
   EXPECT_EQ(next.tables.at("stress").column("strain").front(), first.last_system.box.strain);
@@ -201,8 +201,8 @@ TEST(BodyShear, SlowSmallShearIsTheModulusOfMinimisedStates) {
 
   InitialState state;
   state.system = r.last_system;
-  state.system.box.strain_rate = state.system.lag = 0;
-  for (Vec2& v : state.system.state.velocity) v = {};
+  system_of<2>(state).box.strain_rate = system_of<2>(state).lag = 0;
+  for (Vec2& v : system_of<2>(state).state.velocity) v = {};
   Making making;
   making.flow = Flow::kept;
   Packing<2> packing = make_packing(c, &state, 0, making);

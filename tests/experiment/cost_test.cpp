@@ -255,7 +255,7 @@ TEST(Cost, StepsThatNoIntegerHoldsAreRefusedByName) {
 TEST(Cost, AStateIsSaneBeforeAnythingIsReadFromIt) {
   InitialState initial;
   initial.system = make_packing(bodies_case("jamming"), nullptr, 0.3).system;
-  initial.system.state.radius[5] = 1e200;
+  system_of<2>(initial).state.radius[5] = 1e200;
   Case c = bodies_case("jamming");
   c.given = {"bodies.N"};
   c.bodies.count = 3;  // wrong, too: but that is said of particles that can be computed with

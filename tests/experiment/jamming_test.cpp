@@ -280,11 +280,11 @@ TEST(Jamming, RefusesStatesBetweenWallsAndMicrogels) {
   Case c = small_case({"disc", "disc", "rough"});
   InitialState state;
   state.system = make_packing(c, nullptr, 0.4).system;
-  state.system.box.periodic = {false, false};
+  system_of<2>(state).box.periodic = {false, false};
   MemoryRecorder recorder;
   EXPECT_THROW(run(c, &state, recorder), Error);
-  state.system.box.periodic = {true, true};
-  state.system.topology = {};
+  system_of<2>(state).box.periodic = {true, true};
+  system_of<2>(state).topology = {};
   EXPECT_THROW(run(c, &state, recorder), Error);
 }
 

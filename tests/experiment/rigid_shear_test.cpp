@@ -144,7 +144,7 @@ TEST(RigidShear, PlatesStayInAStateAndAreLeftBehindElsewhere) {
       "[shear]\nrate = \"0.01 + 0*t\"\n";
   EXPECT_GE(held_after(dynamics + "[box]\nplates = \"capture\""), held);
   EXPECT_EQ(held_after(dynamics + "[box]\nplates = \"none\""), 0);
-  state.system.links.clear();  // which would be refused
+  system_of<2>(state).links.clear();  // which would be refused
   EXPECT_EQ(held_after("experiment = \"jamming\"\n[jamming]\npressure = 1e-2\nstep = 1e-2\n"), 0);
 }
 
@@ -182,7 +182,7 @@ packing_fraction = 0.4)",
   InitialState deformable, of_rigid;
   deformable.system = of_rigid.system = jammed.last_system;
   deformable.units = of_rigid.units = reduced_units();
-  for (int b = 0; b < 6; ++b) make_rigid(of_rigid.system, b);
+  for (int b = 0; b < 6; ++b) make_rigid(system_of<2>(of_rigid), b);
   Case c = read_case_text(R"(
 experiment = "oscillatory_shear"
 physics = "deformable"

@@ -133,9 +133,9 @@ TEST(SlumpOfAState, BeginsAtRest) {
   run(c, &state, moving);
   EXPECT_EQ(moving.tables.at("motion").column("time").front(), 0);
   EXPECT_EQ(moving.tables.at("motion").column("kinetic_energy").front(), 0);
-  for (Vec2& v : state.system.state.velocity) v = {};
-  state.system.time = 0;
-  state.system.floor_contact.clear();
+  for (Vec2& v : system_of<2>(state).state.velocity) v = {};
+  system_of<2>(state).time = 0;
+  system_of<2>(state).floor_contact.clear();
   run(c, &state, still);
   EXPECT_EQ(moving.last_system.state.position, still.last_system.state.position);
 }

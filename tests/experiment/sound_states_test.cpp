@@ -111,8 +111,9 @@ TEST(SoundStates, DynamicsStopsWhereARingCrossesItself) {
   c.jamming.packing_fraction = 0.2;
   c.time.steps = 400;
   InitialState start;
-  start.system = make_packing(c, nullptr, 0.2).system;
-  start.system.state.velocity[0] = -3 * (start.system.state.position[0] - start.system.state.position[6]);
+  System<2> system = make_packing(c, nullptr, 0.2).system;
+  system.state.velocity[0] = -3 * (system.state.position[0] - system.state.position[6]);
+  start.system = system;
   MemoryRecorder recorder;
   try {
     run(c, &start, recorder);
@@ -126,8 +127,9 @@ TEST(SoundStates, DynamicsStopsWhereARingCrossesItself) {
 TEST(SoundStates, AGivenPackingThatIsUnsoundIsBadInput) {
   const Case c = case_of("shell", 4, 12);
   InitialState start;
-  start.system = make_packing(c, nullptr, 0.2).system;
-  std::swap(start.system.state.position[2], start.system.state.position[7]);
+  System<2> system = make_packing(c, nullptr, 0.2).system;
+  std::swap(system.state.position[2], system.state.position[7]);
+  start.system = system;
   try {
     make_packing(c, &start, 0.2);
     FAIL();

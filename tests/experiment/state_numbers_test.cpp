@@ -16,10 +16,11 @@ using M = MaterialConstants;
 /// A disc at rest, with numbers as runs leave them.
 InitialState sound_state() {
   InitialState initial;
-  initial.system.box.length = {10, 10};
-  initial.system.state.resize(1);
-  initial.system.state.position = {{5, 5}};
-  initial.system.state.radius = initial.system.state.mass = initial.system.state.inertia = {1};
+  System<2>& system = system_of<2>(initial);
+  system.box.length = {10, 10};
+  system.state.resize(1);
+  system.state.position = {{5, 5}};
+  system.state.radius = system.state.mass = system.state.inertia = {1};
   initial.material = {20, 0.7, 0, 0, 0, 1, 0.5, 0, true};
   initial.protocol = {
       {"dt", 0.01},     {"cool_factor", 1}, {"steps", 0},           {"f", 0},

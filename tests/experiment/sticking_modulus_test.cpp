@@ -41,8 +41,8 @@ double tangent_modulus(Case c, const System<2>& end) {
   c.material.relative_viscosity = 0;
   InitialState state;
   state.system = end;
-  state.system.box.strain_rate = state.system.lag = 0;
-  for (Vec2& v : state.system.state.velocity) v = {};
+  system_of<2>(state).box.strain_rate = system_of<2>(state).lag = 0;
+  for (Vec2& v : system_of<2>(state).state.velocity) v = {};
   Making making;
   making.flow = Flow::kept;
   Packing<2> packing = make_packing(c, &state, 0, making);

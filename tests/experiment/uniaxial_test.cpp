@@ -116,7 +116,7 @@ TEST(UniaxialCompression, GoesOnFromABoxAndRefusesAPeriodicCell) {
   run(c, nullptr, first);
   InitialState state;
   state.system = first.last_system;
-  state.system.state.velocity.assign(state.system.state.position.size(), {1, 1});
+  system_of<2>(state).state.velocity.assign(first.last_system.state.position.size(), {1, 1});
   run(c, &state, second);
   EXPECT_EQ(second.last_system.state.velocity.front(), Vec2{});
   const auto& before = first.tables.at("packing");
@@ -124,7 +124,7 @@ TEST(UniaxialCompression, GoesOnFromABoxAndRefusesAPeriodicCell) {
   EXPECT_NEAR(after.column("wall_force").front(), before.column("wall_force").back(),
               1e-4 * before.column("wall_force").back());
   EXPECT_EQ(after.column("strain").front(), 0);
-  state.system.box.periodic = {true, true};
+  system_of<2>(state).box.periodic = {true, true};
   EXPECT_THROW(run(c, &state, second), Error);
 }
 

@@ -83,7 +83,7 @@ TEST_F(AdoptedState, AStateAsJsonKeepsTheLagOfItsVelocities) {
   record("half.h5", dynamics(30, sheared), start);
   const std::string json = exported("half.h5");
   record("rest.h5", dynamics(170, sheared), json);
-  const State<2> a = load("whole.h5").system.state, b = load("rest.h5").system.state;
+  const State<2> a = system_of<2>(load("whole.h5")).state, b = system_of<2>(load("rest.h5")).state;
   for (std::size_t i = 0; i < a.velocity.size(); ++i)  // 200 um/s; lost half a step: 1e-2 of it
     EXPECT_NEAR(norm(a.velocity[i] - b.velocity[i]), 0, 1e-10 * 200e-6) << i;
 }
@@ -104,19 +104,19 @@ TEST_F(AdoptedState, FramesHaveTheVelocitiesOfTheirInstant) {
       ++compared;
     }
   EXPECT_GT(compared, 400);
-  EXPECT_EQ(r.frames[0].velocity[1], 1e-6 * initial.system.state.velocity[1]) << "as given";
+  EXPECT_EQ(r.frames[0].velocity[1], 1e-6 * system_of<2>(initial).state.velocity[1]) << "as given";
 }
 
 TEST_F(AdoptedState, TimeStartsAtZeroUnlessAsked) {
   const std::string start = moving_discs();
   record("first.h5", dynamics(10), start);
-  EXPECT_NEAR(load("first.h5").system.time, 0.05, 1e-15);
+  EXPECT_NEAR(system_of<2>(load("first.h5")).time, 0.05, 1e-15);
   record("pulse.h5", dynamics(10, "[shear]\nrate = \"t < 0.001 ? 2 : 0\"\n"), "first.h5");
   EXPECT_EQ(column("pulse.h5", "t").front(), 0);
   EXPECT_EQ(column("pulse.h5", "strain_rate").front(), 2);
   record("on.h5", dynamics(10, "[initial]\nkeep_time = true\n"), "first.h5");
   EXPECT_NEAR(column("on.h5", "t").front(), 0.05, 1e-15);
-  EXPECT_EQ(load("on.h5").system.step, 20);
+  EXPECT_EQ(system_of<2>(load("on.h5")).step, 20);
 }
 
 TEST_F(AdoptedState, KeysAboutOtherParticlesAreRefused) {

@@ -25,13 +25,14 @@ class ContinuationMatrix : public ContinuedRun {
     const Evaluation<2> of_run = forces_from(run_name, more), of_json = forces_from(exported(run_name), more);
     ASSERT_TRUE(whole.evaluation);
     double largest = 0;
-    for (const Vec2& f : whole.evaluation->force) largest = std::max(largest, norm(f));
+    for (const Vec2& f : evaluation_of<2>(whole)->force) largest = std::max(largest, norm(f));
     EXPECT_GT(largest, 0);
     // Rounding of the JSON's numbers is that of a length of the cell, times the stiffness of a contact.
-    const double stiff = whole.material.k ? *whole.material.k * whole.system.box.length[0] : 1;
-    EXPECT_EQ(load(exported(run_name)).system.state.mobility, whole.system.state.mobility) << run_name;
+    const double stiff = whole.material.k ? *whole.material.k * system_of<2>(whole).box.length[0] : 1;
+    EXPECT_EQ(system_of<2>(load(exported(run_name))).state.mobility, system_of<2>(whole).state.mobility)
+        << run_name;
     for (std::size_t i = 0; i < of_run.force.size(); ++i) {
-      EXPECT_EQ(of_run.force[i], whole.evaluation->force[i]) << run_name << " " << i;
+      EXPECT_EQ(of_run.force[i], evaluation_of<2>(whole)->force[i]) << run_name << " " << i;
       EXPECT_NEAR(norm(of_run.force[i] - of_json.force[i]) / stiff, 0, 1e-12) << run_name << " " << i;
     }
   }
@@ -132,11 +133,11 @@ TEST_F(ContinuationMatrix, EachStateActsAsItDid) {
 TEST_F(ContinuationMatrix, LinksGoOnInAStateAndAreNotLostInAPacking) {
   make_files();
   const InitialState whole = load("linked.h5");
-  ASSERT_GT(whole.system.links.size(), 0u);
+  ASSERT_GT(system_of<2>(whole).links.size(), 0u);
   ASSERT_TRUE(whole.evaluation);
   const Evaluation<2> again = forces_from("linked.h5", "[shear]\nrate = \"1e-9 + t\"\n");
   for (std::size_t i = 0; i < again.force.size(); ++i)
-    EXPECT_EQ(again.force[i], whole.evaluation->force[i]) << i;
+    EXPECT_EQ(again.force[i], evaluation_of<2>(whole)->force[i]) << i;
   try {
     exported("linked.h5");
     FAIL();
@@ -224,11 +225,11 @@ TEST_F(ContinuationMatrix, ARunSplitInTwoHasTheBitsOfTheWhole) {
     record("first.h5", steps(15), file);
     record("second.h5", steps(25), "first.h5");
     const InitialState a = load("whole.h5"), b = load("second.h5");
-    EXPECT_EQ(a.system.state.position, b.system.state.position) << file;
-    EXPECT_EQ(a.system.state.velocity, b.system.state.velocity) << file;
-    EXPECT_EQ(a.system.time, b.system.time) << file;
-    EXPECT_EQ(a.system.step, b.system.step) << file;
-    EXPECT_EQ(a.evaluation->force, b.evaluation->force) << file;
+    EXPECT_EQ(system_of<2>(a).state.position, system_of<2>(b).state.position) << file;
+    EXPECT_EQ(system_of<2>(a).state.velocity, system_of<2>(b).state.velocity) << file;
+    EXPECT_EQ(system_of<2>(a).time, system_of<2>(b).time) << file;
+    EXPECT_EQ(system_of<2>(a).step, system_of<2>(b).step) << file;
+    EXPECT_EQ(evaluation_of<2>(a)->force, evaluation_of<2>(b)->force) << file;
     EXPECT_EQ(a.keys, b.keys) << file;
     EXPECT_EQ(a.protocol, b.protocol) << file << ": the sum of removed jumps, too";
     EXPECT_EQ(a.environment.stands, b.environment.stands) << file;
@@ -249,10 +250,10 @@ TEST_F(ContinuationMatrix, AShearedRunSplitInTwoHasTheBitsOfTheWhole) {
     record("first.h5", steps(70), file);
     record("second.h5", steps(80), "first.h5");
     const InitialState a = load("whole.h5"), b = load("second.h5");
-    EXPECT_GT(a.system.lag, 0);
-    EXPECT_FALSE(a.system.touches.rows.empty());
-    expect_same(a.system, b.system);
-    EXPECT_EQ(a.evaluation->force, b.evaluation->force) << file;
+    EXPECT_GT(system_of<2>(a).lag, 0);
+    EXPECT_FALSE(system_of<2>(a).touches.rows.empty());
+    expect_same(system_of<2>(a), system_of<2>(b));
+    EXPECT_EQ(evaluation_of<2>(a)->force, evaluation_of<2>(b)->force) << file;
   }
 }
 
@@ -262,7 +263,7 @@ TEST_F(ContinuationMatrix, AHeapKeepsItsWallsWeightFrictionAndDrag) {
     const InitialState initial = load(file);
     EXPECT_FALSE(initial.environment.stands[flow][1]) << "the right wall was taken away";
     EXPECT_FALSE(initial.environment.stands[gradient][1]);
-    EXPECT_EQ(initial.environment.gravity, (Vec2{0, -1e-3}));
+    EXPECT_EQ(initial.environment.gravity, (Vec3{0, -1e-3}));
     const Case c = adopt_state(case_of("experiment = \"dynamics\"\n"), &initial);
     EXPECT_EQ(c.contact.floor_friction, 0.3);
     EXPECT_NEAR(c.motion.damping, std::sqrt(1e-3), 1e-15);
@@ -280,7 +281,7 @@ kinetic_energy = 1e-3
 [time]
 steps = 3000)"),
            file);
-    const System<2> s = load("moved.h5").system;
+    const System<2> s = system_of<2>(load("moved.h5"));
     EXPECT_NE(s.state.velocity[0], Vec2{});
     for (const Vec2& x : s.state.position)
       for (int d = 0; d < 2; ++d) {

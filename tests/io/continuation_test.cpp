@@ -45,7 +45,7 @@ TEST_P(Continuation, HasTheBitsOfTheWholeRun) {
   advanced(start, "first.h5", 13);
   const InitialState split = advanced(in_folder("first.h5"), "second.h5", 17);
 
-  const System<2>&a = whole.system, &b = split.system;
+  const System<2>&a = system_of<2>(whole), &b = system_of<2>(split);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.step, b.step);
   EXPECT_EQ(a.box.strain, b.box.strain);
@@ -56,8 +56,8 @@ TEST_P(Continuation, HasTheBitsOfTheWholeRun) {
   EXPECT_TRUE(same_bits(a.state.spin, b.state.spin));
   EXPECT_EQ(a.state.mobility, b.state.mobility);
   ASSERT_TRUE(whole.evaluation && split.evaluation);
-  EXPECT_TRUE(same_bits(whole.evaluation->force, split.evaluation->force));
-  EXPECT_TRUE(same_bits(whole.evaluation->torque, split.evaluation->torque));
+  EXPECT_TRUE(same_bits(evaluation_of<2>(whole)->force, evaluation_of<2>(split)->force));
+  EXPECT_TRUE(same_bits(evaluation_of<2>(whole)->torque, evaluation_of<2>(split)->torque));
   for (int row = 0; row < a.pairs.size(); ++row) {
     if (a.pairs.state[row] == ContactState::open) continue;
     const int other = b.pairs.find(a.pairs.first[row], a.pairs.second[row]);
@@ -66,7 +66,8 @@ TEST_P(Continuation, HasTheBitsOfTheWholeRun) {
     for (int k = 0; k < a.pairs.width; ++k)
       EXPECT_EQ(a.pairs.history[row * a.pairs.width + k], b.pairs.history[other * b.pairs.width + k]);
   }
-  EXPECT_NE(whole.system.state.position, read_state(start).system.state.position) << "something moves";
+  EXPECT_NE(system_of<2>(whole).state.position, system_of<2>(read_state(start)).state.position)
+      << "something moves";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Continuation,

@@ -37,7 +37,7 @@ class ContinuedRun : public TemporaryFolder {
   /// Writes the JSON of a run beside it, and returns the name.
   std::string exported(const std::string& name) const {
     const InitialState state = load(name);
-    const bool bodies = !state.system.topology.begin.empty();
+    const bool bodies = has_bodies(state.system);
     const std::string json = name.substr(0, name.find('.')) + (bodies ? "_packing.json" : "_state.json");
     if (bodies) write_packing_json(as_packing(state), in_folder(json), Existing::replace);
     else write_state_json(state, in_folder(json), Existing::replace);

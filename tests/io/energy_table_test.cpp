@@ -156,8 +156,8 @@ TEST_F(EnergyOfARun, DoesNotChangeTheRun) {
   c.output.energies = false;
   record("without.h5", c);
   EXPECT_FALSE(RunFile(in_folder("without.h5")).has_table("energy"));
-  EXPECT_EQ(load("with.h5").system.state.position, load("without.h5").system.state.position);
-  EXPECT_EQ(load("with.h5").system.state.velocity, load("without.h5").system.state.velocity);
+  EXPECT_EQ(system_of<2>(load("with.h5")).state.position, system_of<2>(load("without.h5")).state.position);
+  EXPECT_EQ(system_of<2>(load("with.h5")).state.velocity, system_of<2>(load("without.h5")).state.velocity);
 }
 
 TEST_F(EnergyOfARun, IsExportedWithUnits) {

@@ -83,7 +83,7 @@ keep_time = true
 )");
   rest.initial.state = "half.h5";
   record("rest.h5", rest, "half.h5");
-  testing::expect_same(load("rest.h5").system, load("whole.h5").system);
+  testing::expect_same(system_of<2>(load("rest.h5")), system_of<2>(load("whole.h5")));
   // The file of the second run says it again, for a third one.
   const Case last = RunFile(in_folder("rest.h5")).resolved_case();
   EXPECT_EQ(last.species.size(), 2u);
@@ -117,7 +117,7 @@ TEST_F(PairsRun, ContinuationMayChangeThemOrWhatTheyDoNotGive) {
   EXPECT_EQ(laws("[contact.soft.soft]\nk_c = 9\n").of(0, 0).scale().stiffness, 9);
   EXPECT_EQ(laws("[bodies]\nk_a = 2\n").of(0, 1).scale().stiffness, 3);  // stiffnesses are of any particle
   EXPECT_THROW(laws("[contact.soft.sdiff]\nk_c = 9\n"), Error);
-  state.system.species.clear();
+  system_of<2>(state).species.clear();
   try {
     laws("");
     ADD_FAILURE() << "no error";

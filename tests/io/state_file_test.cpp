@@ -49,13 +49,13 @@ class StateFile : public TemporaryFolder {
 /// A link that is longer than half the cell is about an image that no rule finds again.
 TEST_F(StateFile, KeepsTheImagesOfLinks) {
   InitialState s = read(linked_pair);
-  EXPECT_TRUE(s.system.pairs.image.empty());
-  s.system.pairs.image.resize(2);
-  const int row = s.system.pairs.find(0, 1);
-  s.system.pairs.image[row] = {{1, -2, 0}, true};
+  EXPECT_TRUE(system_of<2>(s).pairs.image.empty());
+  system_of<2>(s).pairs.image.resize(2);
+  const int row = system_of<2>(s).pairs.find(0, 1);
+  system_of<2>(s).pairs.image[row] = {{1, -2, 0}, true};
   write_state_json(s, in_folder("again.json"));
   const InitialState again = read_state(in_folder("again.json"));
-  EXPECT_EQ(again.system.pairs.image, s.system.pairs.image);
+  EXPECT_EQ(system_of<2>(again).pairs.image, system_of<2>(s).pairs.image);
   EXPECT_THAT(error_with(R"("fp": 0.125,)", R"("fp": 0.125, "image": [0.5, 0],)"),
               HasSubstr("not a number of cells"));
 }
@@ -63,22 +63,22 @@ TEST_F(StateFile, KeepsTheImagesOfLinks) {
 TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
   const InitialState s = read(linked_pair);
   EXPECT_EQ(s.units.name, particleshear_units().name);
-  EXPECT_EQ(s.system.time, 0.5);
-  EXPECT_EQ(s.system.step, 0);
-  EXPECT_EQ(s.system.box.length, (Vec2{500, 400}));
-  EXPECT_EQ(s.system.box.strain, 0.125);
-  EXPECT_EQ(s.system.box.strain_rate, -3);
-  EXPECT_EQ(s.system.state.position[1], (Vec2{262, 380}));
-  EXPECT_EQ(s.system.state.velocity[0], (Vec2{-10, 6}));
-  EXPECT_THAT(s.system.state.angle, ElementsAre(-1.5, -1.25, 0));
-  EXPECT_THAT(s.system.state.spin, ElementsAre(0.3, 0.25, 0));
-  EXPECT_THAT(s.system.state.radius, ElementsAre(60, 70, 60));
-  EXPECT_THAT(s.system.state.mass, ElementsAre(1, 1.3, 1));
-  EXPECT_THAT(s.system.state.inertia, ElementsAre(1800, 3185, 1800));
-  EXPECT_THAT(s.system.state.mobility,
+  EXPECT_EQ(system_of<2>(s).time, 0.5);
+  EXPECT_EQ(system_of<2>(s).step, 0);
+  EXPECT_EQ(system_of<2>(s).box.length, (Vec2{500, 400}));
+  EXPECT_EQ(system_of<2>(s).box.strain, 0.125);
+  EXPECT_EQ(system_of<2>(s).box.strain_rate, -3);
+  EXPECT_EQ(system_of<2>(s).state.position[1], (Vec2{262, 380}));
+  EXPECT_EQ(system_of<2>(s).state.velocity[0], (Vec2{-10, 6}));
+  EXPECT_THAT(system_of<2>(s).state.angle, ElementsAre(-1.5, -1.25, 0));
+  EXPECT_THAT(system_of<2>(s).state.spin, ElementsAre(0.3, 0.25, 0));
+  EXPECT_THAT(system_of<2>(s).state.radius, ElementsAre(60, 70, 60));
+  EXPECT_THAT(system_of<2>(s).state.mass, ElementsAre(1, 1.3, 1));
+  EXPECT_THAT(system_of<2>(s).state.inertia, ElementsAre(1800, 3185, 1800));
+  EXPECT_THAT(system_of<2>(s).state.mobility,
               ElementsAre(Mobility::free, Mobility::upper_plate, Mobility::lower_plate));
 
-  const PairTable& pairs = s.system.pairs;
+  const PairTable& pairs = system_of<2>(s).pairs;
   EXPECT_THAT(pairs.first, ElementsAre(0, 0));
   EXPECT_THAT(pairs.second, ElementsAre(1, 2)) << "in canonical order";
   EXPECT_THAT(pairs.begin, ElementsAre(0, 2, 2, 2));
@@ -99,44 +99,45 @@ TEST_F(StateFile, ReadsTheLayoutOfThePackage) {
 TEST_F(StateFile, WhatIsWrittenIsReadBack) {
   InitialState s = read(linked_pair);
   s.protocol["f"] = 1 / 3.;
-  s.evaluation = Evaluation<2>{};
-  s.evaluation->force = {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}};
-  s.evaluation->torque = {1, 2, 3};
+  Evaluation<2> evaluation;
+  evaluation.force = {{0.1, 0.2}, {0.3, 0.4}, {0.5, 0.6}};
+  evaluation.torque = {1, 2, 3};
+  s.evaluation = evaluation;
   write_state_json(s, in_folder("copy.json"));
   const InitialState t = read_state(in_folder("copy.json"));
-  EXPECT_EQ(t.system.state.position, s.system.state.position);
-  EXPECT_EQ(t.system.state.velocity, s.system.state.velocity);
-  EXPECT_EQ(t.system.state.spin, s.system.state.spin);
-  EXPECT_EQ(t.system.state.mobility, s.system.state.mobility);
-  EXPECT_EQ(t.system.pairs.second, s.system.pairs.second);
-  EXPECT_EQ(t.system.pairs.state, s.system.pairs.state);
-  EXPECT_EQ(t.system.pairs.history, s.system.pairs.history);
-  EXPECT_EQ(t.system.box.strain, s.system.box.strain);
+  EXPECT_EQ(system_of<2>(t).state.position, system_of<2>(s).state.position);
+  EXPECT_EQ(system_of<2>(t).state.velocity, system_of<2>(s).state.velocity);
+  EXPECT_EQ(system_of<2>(t).state.spin, system_of<2>(s).state.spin);
+  EXPECT_EQ(system_of<2>(t).state.mobility, system_of<2>(s).state.mobility);
+  EXPECT_EQ(system_of<2>(t).pairs.second, system_of<2>(s).pairs.second);
+  EXPECT_EQ(system_of<2>(t).pairs.state, system_of<2>(s).pairs.state);
+  EXPECT_EQ(system_of<2>(t).pairs.history, system_of<2>(s).pairs.history);
+  EXPECT_EQ(system_of<2>(t).box.strain, system_of<2>(s).box.strain);
   EXPECT_EQ(t.material.k, s.material.k);
   EXPECT_EQ(t.material.keep_viscosity_coefficients_constant, s.material.keep_viscosity_coefficients_constant);
   EXPECT_EQ(t.reset_force_each_step, s.reset_force_each_step);
   EXPECT_EQ(t.protocol, s.protocol);
-  EXPECT_EQ(t.evaluation->force, s.evaluation->force);
-  EXPECT_EQ(t.evaluation->torque, s.evaluation->torque);
+  EXPECT_EQ(evaluation_of<2>(t)->force, evaluation_of<2>(s)->force);
+  EXPECT_EQ(evaluation_of<2>(t)->torque, evaluation_of<2>(s)->torque);
   EXPECT_THAT(file_error_of([&] { write_state_json(s, in_folder("copy.json")); }), HasSubstr("exists"));
 }
 
 TEST_F(StateFile, AStateInSIIsWrittenInTheUnitsOfThePackage) {
   InitialState s = read(linked_pair);
-  convert(s.system, particleshear_units(), si_units());
+  convert(system_of<2>(s), particleshear_units(), si_units());
   s.units = si_units();
   *s.material.k *= 1e-6;
   *s.material.nu *= 1e-6;
-  EXPECT_NEAR(s.system.state.position[1][0], 262e-6, 1e-18);
-  EXPECT_NEAR(s.system.state.velocity[0][0], -10e-6, 1e-18);
-  EXPECT_NEAR(s.system.state.mass[1], 1.3e-6, 1e-18);
-  EXPECT_NEAR(s.system.state.inertia[0], 1800e-18, 1e-27);
-  EXPECT_NEAR(s.system.pairs.history[1], 0.25e-6, 1e-18);
-  EXPECT_EQ(s.system.state.spin[0], 0.3);
+  EXPECT_NEAR(system_of<2>(s).state.position[1][0], 262e-6, 1e-18);
+  EXPECT_NEAR(system_of<2>(s).state.velocity[0][0], -10e-6, 1e-18);
+  EXPECT_NEAR(system_of<2>(s).state.mass[1], 1.3e-6, 1e-18);
+  EXPECT_NEAR(system_of<2>(s).state.inertia[0], 1800e-18, 1e-27);
+  EXPECT_NEAR(system_of<2>(s).pairs.history[1], 0.25e-6, 1e-18);
+  EXPECT_EQ(system_of<2>(s).state.spin[0], 0.3);
   write_state_json(s, in_folder("copy.json"));
   const InitialState t = read_state(in_folder("copy.json"));
-  EXPECT_NEAR(t.system.state.position[1][0], 262, 1e-12);
-  EXPECT_NEAR(t.system.state.inertia[0], 1800, 1e-10);
+  EXPECT_NEAR(system_of<2>(t).state.position[1][0], 262, 1e-12);
+  EXPECT_NEAR(system_of<2>(t).state.inertia[0], 1800, 1e-10);
   EXPECT_NEAR(*t.material.k, 20, 1e-13);
   EXPECT_NEAR(*t.material.nu, 0.5, 1e-15);
 }
@@ -149,9 +150,9 @@ TEST_F(StateFile, ReadsTheFinalStateOfARun) {
   to.finish("complete");
   const InitialState s = read_state(in_folder("run.h5"));
   EXPECT_EQ(s.units.name, particleshear_units().name);
-  EXPECT_EQ(s.system.pairs.history, sample_system(5).pairs.history);
-  EXPECT_EQ(s.system.step, sample_system(5).step);
-  EXPECT_EQ(s.evaluation->force, sample_evaluation(5).force);
+  EXPECT_EQ(system_of<2>(s).pairs.history, sample_system(5).pairs.history);
+  EXPECT_EQ(system_of<2>(s).step, sample_system(5).step);
+  EXPECT_EQ(evaluation_of<2>(s)->force, sample_evaluation(5).force);
   EXPECT_EQ(s.material.k, 1 / 3.);
   EXPECT_EQ(s.material.keep_viscosity_coefficients_constant, true);
   EXPECT_FALSE(s.material.nu);

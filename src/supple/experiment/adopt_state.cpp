@@ -55,7 +55,7 @@ void require_sane_numbers(const InitialState& initial) {
   for (const auto& [name, x] : initial.protocol) look(name, x);
 }
 
-void refuse_other_matter(const Case& c, const System<2>& held, const std::string& file) {
+void refuse_other_matter(const Case& c, const AnySystem& held, const std::string& file) {
   const Matter& wanted = *experiment_of(c).matter;
   if (wanted.is_held(held)) return;
   const Matter& there = body_matter().is_held(held) ? body_matter() : disc_matter();
@@ -70,7 +70,8 @@ void refuse_other_matter(const Case& c, const System<2>& held, const std::string
 
 Case adopt_state(Case c, const InitialState* initial) {
   if (initial) {
-    require_sane(initial->system, "the state to start from");  // before anything is computed from its numbers
+    std::visit([](const auto& system) { require_sane(system, "the state to start from"); },
+               initial->system);  // before anything is computed from its numbers
     require_sane_numbers(*initial);
     if (!c.is_given("physics"))
       if (const auto physics = initial->keys.find("physics"); physics != initial->keys.end())

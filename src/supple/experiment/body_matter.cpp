@@ -170,11 +170,13 @@ void doubt_bodies(const Case& c, Doubts& doubts) {
 }
 
 HeldKeys keys_of_bodies(const InitialState& initial) {
-  const System<2>& s = initial.system;
-  const int bodies = s.topology.body_count(s.state.size());
-  HeldKeys keys{{"bodies.N", std::int64_t{bodies}}};
+  HeldKeys keys{{"bodies.N", std::int64_t{body_count(initial.system)}}};
   std::map<std::int32_t, std::int64_t> count;
-  for (const std::int32_t species : s.species) ++count[species];
+  std::visit(
+      [&](const auto& system) {
+        for (const std::int32_t species : system.species) ++count[species];
+      },
+      initial.system);
   for (const auto& [species, n] : count) keys[species_section(static_cast<std::size_t>(species)) + ".N"] = n;
   return keys;
 }
@@ -185,15 +187,14 @@ void adopt_bodies(Case& c, const InitialState& initial) {
     if (!c.is_given("bodies.stiffness"))
       c.bodies.stiffness = initial.contact->relative ? "relative" : "absolute";
   }
-  adopt_stiffness(c, initial.system);
+  adopt_stiffness(c, system_of<2>(initial));
   const double weight = -initial.environment.gravity[gradient];
   if (weight > 0 && !c.is_given("slump.gravity")) c.slump.gravity = weight;
 }
 
 std::string describe_bodies(const Case& c, const InitialState* initial) {
   if (!initial) return fmt::format("{} particles ({})", sample_size(c).bodies, families_of(c));
-  const System<2>& s = initial->system;
-  return fmt::format("{} particles of a file", s.topology.body_count(s.state.size()));
+  return fmt::format("{} particles of a file", body_count(initial->system));
 }
 
 }  // namespace
@@ -201,7 +202,7 @@ std::string describe_bodies(const Case& c, const InitialState* initial) {
 const Matter& body_matter() {
   static const Matter bodies{.name = "deformable particles",
                              .physics = "deformable",
-                             .is_held = [](const System<2>& s) { return !s.topology.begin.empty(); },
+                             .is_held = has_bodies,
                              .check = check_bodies,
                              .doubt = doubt_bodies,
                              .known = keys_of_bodies,

@@ -56,7 +56,7 @@ void doubt_discs(const Case& c, Doubts& doubts) {
 
 /// What the discs themselves say of how they were made, and of what.
 HeldKeys keys_of_discs(const InitialState& initial) {
-  const System<2>& s = initial.system;
+  const System<2>& s = system_of<2>(initial);
   const Units& u = initial.units;
   double area = 0, mass = 0;  // of a unit of depth
   for (const double r : s.state.radius) area += std::numbers::pi * r * r;
@@ -74,7 +74,7 @@ HeldKeys keys_of_discs(const InitialState& initial) {
 }
 
 std::string describe_discs(const Case& c, const InitialState* initial) {
-  const int discs = initial ? initial->system.state.size() : c.particles.discs;
+  const int discs = initial ? site_count(initial->system) : c.particles.discs;
   return fmt::format("{} discs, {} model", discs, c.general.physics);
 }
 
@@ -84,7 +84,7 @@ const Matter& disc_matter() {
   static const Matter discs{.name = "discs of microgels",
                             .physics = "documented",
                             .suspension = &documented_model(),
-                            .is_held = [](const System<2>& s) { return s.topology.begin.empty(); },
+                            .is_held = [](const AnySystem& s) { return !has_bodies(s); },
                             .check = check_discs,
                             .doubt = doubt_discs,
                             .known = keys_of_discs,

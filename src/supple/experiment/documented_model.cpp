@@ -40,7 +40,7 @@ ShearProtocol protocol_of(const Case& c, const InitialState* initial) {
 
 /// Of the suspension that is to be made, or of the state.
 Gap expected_gap(const Case& c, const InitialState* initial, const MicrogelConstants& k) {
-  if (initial) return gap_of(initial->system, initial->units);
+  if (initial) return gap_of(system_of<2>(*initial), initial->units);
   return {c.box.height, c.particles.discs * k.mean_mass / (c.box.width * c.box.height)};
 }
 

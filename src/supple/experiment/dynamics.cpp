@@ -41,7 +41,7 @@ void check_rate(const Expression& rate, double start, double duration) {
 }
 
 double start_time(const Case&, const InitialState* initial) {
-  return initial ? initial->system.time * initial->units.time : 0;
+  return initial ? system_of<2>(*initial).time * initial->units.time : 0;
 }
 
 std::vector<Derived> derive_dynamics(const Case& c, const InitialState* initial) {

@@ -22,7 +22,7 @@ struct Matter {
   std::string_view name;
   std::string_view physics;                     ///< value of the key `physics` that means it
   const SuspensionModel* suspension = nullptr;  ///< of discs: how they are made and moved
-  bool (*is_held)(const System<2>&);            ///< whether a state holds it
+  bool (*is_held)(const AnySystem&);            ///< whether a state holds it
   /// What one key of a case cannot know of another.
   void (*check)(const Case&, Start, Problems&);
   void (*doubt)(const Case&, Doubts&);

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 void set_masses(const Case& c, const InitialState* initial, MicrogelConstants& k) {
   std::vector<double> mass;
   if (initial) {
-    mass = initial->system.state.mass;
+    mass = system_of<2>(*initial).state.mass;
     for (double& m : mass) m *= initial->units.mass;
   } else {
     const DiscSpec spec{c.particles.discs, c.particles.packing_fraction, c.particles.bimodal_factor,

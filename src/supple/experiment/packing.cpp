@@ -92,14 +92,15 @@ namespace {
 
 void check_initial(const Case& c, const InitialState* initial, const Making& making) {
   if (!initial) return;
-  if (initial->system.topology.begin.empty())
+  const System<2>& given = system_of<2>(*initial);
+  if (given.topology.begin.empty())
     throw input_error("the state to start from holds no bodies", "its discs are of the microgel model",
                       "start from a run of deformable particles, or from [bodies]");
-  if (!initial->system.links.empty() && making.flow == Flow::stopped)
+  if (!given.links.empty() && making.flow == Flow::stopped)
     throw input_error("the state to start from holds crosslinked particles",
                       fmt::format("{} would leave their links out", c.general.experiment),
                       "shear them, or start from particles without links");
-  const std::vector<std::int32_t>& species = initial->system.species;
+  const std::vector<std::int32_t>& species = given.species;
   if (!c.pairs.empty() && species.empty())
     throw input_error("the particles to start from are of no species",
                       fmt::format("[{}] is about contacts of some of them", pair_section(c.pairs.front())),
@@ -110,14 +111,15 @@ void check_initial(const Case& c, const InitialState* initial, const Making& mak
                       fmt::format("the case has {}", c.species.size()), "leave [[species]] away");
 }
 
+bool is_enclosed(const System<2>& system) { return !system.box.periodic[0] && !system.box.periodic[1]; }
 bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
 
 /// What acts on particles of a state from outside: walls where its cell is not periodic, and gravity.
 void surround(const Case& c, const Environment& environment, Packing<2>& p) {
-  p.field->external().gravity = environment.gravity;
+  p.field->external().gravity = environment.gravity_in<2>();
   if (is_periodic(p.system)) return;
   WallLaw<2> walls = wall_law(c);
-  walls.stands = environment.stands;
+  walls.stands = environment.stands_in<2>();
   p.field->set_walls(walls);
 }
 
@@ -227,7 +229,7 @@ namespace {
 
 /// The particles of a state with the stiffnesses of the case.
 System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
-  System<2> system = initial.system;
+  System<2> system = system_of<2>(initial);
   if (flow == Flow::stopped) {
     set_strain_rate(system, 0);
     leave_plates(system);
@@ -270,11 +272,11 @@ Packing<2> make_packing(const Case& c, const InitialState* initial, double packi
 
 Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
                               double aspect_ratio, const Making& making) {
-  if (initial && (initial->system.box.periodic[0] || initial->system.box.periodic[1]))
+  if (initial && !is_enclosed(system_of<2>(*initial)))
     throw input_error("the state to start from is periodic",
                       fmt::format("{} needs a box of walls", c.general.experiment),
                       "start from a run between walls, or from [bodies]");
-  if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec2{}))
+  if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec3{}))
     throw input_error(
         "the state to start from lies under gravity, or without some of the walls",
         fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
@@ -287,7 +289,7 @@ Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double
 }
 
 Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
-  if (initial && !is_periodic(initial->system))
+  if (initial && !is_periodic(system_of<2>(*initial)))
     throw input_error("the state to start from lies between walls",
                       fmt::format("{} needs a periodic cell", c.general.experiment),
                       "start from a periodic packing");

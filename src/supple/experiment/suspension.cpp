@@ -34,7 +34,7 @@ CrosslinkSpec crosslink_spec(const Case& c) {
 }
 
 void take_state(Suspension& s, const Case& c, const InitialState& initial, int history_width) {
-  s.system = initial.system;
+  s.system = system_of<2>(initial);
   convert(s.system, initial.units, s.units);
   set_history_width(s.system.pairs, history_width);
   if (c.is_given("box.boundary")) s.system.box.periodic = make_box(c, s.units).periodic;

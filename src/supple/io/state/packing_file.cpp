@@ -248,7 +248,7 @@ InitialState as_initial(StoredPacking packing) {
 }
 
 StoredPacking as_packing(const InitialState& state) {
-  return {state.system, state.contact.value_or(Harmonic{}), state.keys, state.environment};
+  return {system_of<2>(state), state.contact.value_or(Harmonic{}), state.keys, state.environment};
 }
 
 StoredPacking read_packing_json(const std::string& path) {

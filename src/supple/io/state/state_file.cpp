@@ -39,7 +39,7 @@ void read_accelerations(const Node& spheres, Acceleration<2>& out) {
 }
 
 void read_spheres(const Node& spheres, InitialState& out) {
-  State<2>& state = out.system.state;
+  State<2>& state = system_of<2>(out).state;
   const auto n = static_cast<int>(spheres.size());
   if (n == 0) throw spheres.fault("is empty");
   state.resize(n);
@@ -62,7 +62,7 @@ void read_spheres(const Node& spheres, InitialState& out) {
     forces.torque[i] = s.at("torque").number();
   }
   if (any_force) out.evaluation = std::move(forces);
-  read_accelerations(spheres, out.system.acceleration);
+  read_accelerations(spheres, system_of<2>(out).acceleration);
 }
 
 ContactState contact_state(const Node& type) {
@@ -173,7 +173,8 @@ InitialState read_json(const std::string& path) {
   out.units = particleshear_units();
 
   const Node params = root.at("params");
-  out.system.box.length = {params.at("size_x").positive(), params.at("size_y").positive()};
+  System<2>& system = system_of<2>(out);
+  system.box.length = {params.at("size_x").positive(), params.at("size_y").positive()};
   for_each_constant(out.material, [&]<class T>(const char* name, std::optional<T>& constant) {
     if (!params.has(name)) return;
     if constexpr (std::is_same_v<T, bool>) constant = params.at(name).truth();
@@ -187,18 +188,18 @@ InitialState read_json(const std::string& path) {
     if (root.has(name)) out.protocol[name] = root.at(name).number();
 
   const Node initial = root.at("initial");
-  out.system.time = initial.at("t").number();
-  if (initial.has("lag")) out.system.lag = initial.at("lag").number();
-  out.system.box.strain = initial.at("shear").number();
-  out.system.box.strain_rate = initial.at("shear_rate").number();
+  system.time = initial.at("t").number();
+  if (initial.has("lag")) system.lag = initial.at("lag").number();
+  system.box.strain = initial.at("shear").number();
+  system.box.strain_rate = initial.at("shear_rate").number();
   read_spheres(initial.at("spheres"), out);
-  read_neighbors(initial.at("neighbors"), out.system);
-  State<2>& state = out.system.state;
-  if (holds(out.keys, "box.boundary", "fixed")) out.system.box.periodic = {false, false};
+  read_neighbors(initial.at("neighbors"), system);
+  State<2>& state = system.state;
+  if (holds(out.keys, "box.boundary", "fixed")) system.box.periodic = {false, false};
   else if (holds(out.keys, "box.plates", "capture") && !holds(out.keys, "box.boundary", "periodic"))
     for (std::size_t i = 0; i < state.radius.size(); ++i)
       state.mobility[i] =
-          mobility_at(state.position[i][gradient], state.radius[i], out.system.box.length[gradient]);
+          mobility_at(state.position[i][gradient], state.radius[i], system.box.length[gradient]);
   return out;
 }
 
@@ -288,7 +289,7 @@ InitialState read_state(const std::string& path) {
 }
 
 void write_state_json(const InitialState& state, const std::string& path, Existing existing) {
-  System<2> system = state.system;
+  System<2> system = system_of<2>(state);
   convert(system, state.units, particleshear_units());
   Json params{{"size_x", system.box.length[0]}, {"size_y", system.box.length[1]}};
   const MaterialConstants material = converted(state.material, state.units, particleshear_units());
@@ -306,7 +307,7 @@ void write_state_json(const InitialState& state, const std::string& path, Existi
       spheres.back()["ay"] = system.acceleration.site[i][1];
       spheres.back()["alpha"] = system.acceleration.spin[i];
     }
-    if (state.evaluation) add_forces(spheres.back(), *state.evaluation, i, state.units);
+    if (const auto* forces = evaluation_of<2>(state)) add_forces(spheres.back(), *forces, i, state.units);
   }
   Json root{{"params", params},
             {"reset_force_each_step", state.reset_force_each_step},
