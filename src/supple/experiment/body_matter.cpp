@@ -170,7 +170,8 @@ void doubt_bodies(const Case& c, Doubts& doubts) {
 }
 
 HeldKeys keys_of_bodies(const InitialState& initial) {
-  HeldKeys keys{{"bodies.N", std::int64_t{body_count(initial.system)}}};
+  HeldKeys keys{{"bodies.N", std::int64_t{body_count(initial.system)}},
+                {"bodies.dim", std::int64_t{dimensions_of(initial.system)}}};
   std::map<std::int32_t, std::int64_t> count;
   std::visit(
       [&](const auto& system) {
@@ -187,7 +188,7 @@ void adopt_bodies(Case& c, const InitialState& initial) {
     if (!c.is_given("bodies.stiffness"))
       c.bodies.stiffness = initial.contact->relative ? "relative" : "absolute";
   }
-  adopt_stiffness(c, system_of<2>(initial));
+  std::visit([&](const auto& system) { adopt_stiffness(c, system); }, initial.system);
   const double weight = -initial.environment.gravity[gradient];
   if (weight > 0 && !c.is_given("slump.gravity")) c.slump.gravity = weight;
 }

@@ -40,6 +40,19 @@ void check_matter(const Case& c, Problems& problems) {
               fmt::format("leave it away, or choose another experiment: {}", fmt::join(others, ", ")));
 }
 
+/// Refuses an experiment in more dimensions than it can be done in.
+void check_dimensions(const Case& c, Problems& problems) {
+  if (experiment_of(c).run.of(c.bodies.dimensions)) return;
+  std::vector<std::string> others;
+  for (const Experiment& other : experiments())
+    if (other.run.of(c.bodies.dimensions)) others.push_back(other.name);
+  add_problem(
+      problems, c,
+      fmt::format("bodies.dim = {} with experiment = \"{}\"", c.bodies.dimensions, c.general.experiment),
+      "it is done in two dimensions",
+      fmt::format("leave it away, or choose another experiment: {}", fmt::join(others, ", ")));
+}
+
 }  // namespace
 
 void check(const Case& c) { check(c, nullptr); }
@@ -48,6 +61,7 @@ void check(const Case& c, const InitialState* initial) {
   Problems problems;
   check_numbers(c, problems);
   check_matter(c, problems);
+  check_dimensions(c, problems);
   if (!problems.empty()) throw input_error(fmt::format("{}", fmt::join(problems, "\n")));
   const bool from_file = initial || !c.initial.state.empty() || !c.initial.packing.empty();
   const Start start = from_file ? Start::state : Start::nothing;

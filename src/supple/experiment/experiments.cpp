@@ -59,7 +59,7 @@ std::vector<Derived> derive(const Case& c, const InitialState* initial) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
   const WithThreads threads(adopted.general.threads);
-  std::vector<Derived> all = experiment_of(adopted).derive(adopted, initial);
+  std::vector<Derived> all = experiment_of(adopted).derive.of(adopted.bodies.dimensions)(adopted, initial);
   for (const Derived& d : all)
     if (!std::isfinite(d.value))
       throw input_error(fmt::format("{} of this case would be {}", d.name.name, d.value), d.name.meaning,
@@ -71,7 +71,7 @@ void run(const Case& c, const InitialState* initial, Recorder& recorder) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
   const WithThreads threads(adopted.general.threads);
-  experiment_of(adopted).run(adopted, initial, recorder);
+  experiment_of(adopted).run.of(adopted.bodies.dimensions)(adopted, initial, recorder);
 }
 
 }  // namespace supple

@@ -28,6 +28,15 @@ Figure always(const Case&) {
   return figure;
 }
 
+/// What is done in two dimensions and, where it can be, in three.
+template <class Function>
+struct ByDimension {
+  Function* in_2d;
+  Function* in_3d;
+  ByDimension(Function* flat, Function* solid = nullptr) : in_2d(flat), in_3d(solid) {}
+  Function* of(int dimensions) const { return dimensions == 2 ? in_2d : in_3d; }
+};
+
 /// An experiment on one kind of particles: a source file, and a row of experiments(). Rows of the same name
 /// are the same experiment on other particles.
 struct Experiment {
@@ -35,8 +44,8 @@ struct Experiment {
   const Matter* matter;
   UsedKeys keys;
   std::vector<Need> needs = {};  ///< of its keys, besides the needs in every experiment (used_keys.cpp)
-  std::vector<Derived> (*derive)(const Case&, const InitialState*);
-  void (*run)(const Case&, const InitialState*, Recorder&);
+  ByDimension<std::vector<Derived>(const Case&, const InitialState*)> derive;
+  ByDimension<void(const Case&, const InitialState*, Recorder&)> run;
   Figure (*figure)(const Case&) = always<Figure::none>;
   std::set<std::string> first_keys;         ///< keys that most users change: `supple init` sets them
   void (*set_first)(Case&) = [](Case&) {};  ///< values of `supple init` that are not the defaults

@@ -21,21 +21,23 @@ JamSpec jam_spec(const Case& c) {
 
 namespace {
 
+template <int Dim>
 std::vector<Derived> derive_jamming(const Case& c, const InitialState* initial) {
-  const Packing<2> packing = make_periodic_packing(c, initial, set_apart);
+  const Packing<Dim> packing = make_periodic_packing<Dim>(c, initial, set_apart);
   std::vector<Derived> all = derived_equilibria(packing);
   all.push_back({{"evaluations", "", "force evaluations, within a factor of about two"},
                  evaluations_to_jam(packing.system.state.size())});
   return all;
 }
 
+template <int Dim>
 void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder) {
-  Packing<2> packing = make_periodic_packing(c, initial, at_random(recorder));
+  Packing<Dim> packing = make_periodic_packing<Dim>(c, initial, at_random(recorder));
   begin_packing(packing, derived_equilibria(packing), recorder);
   const std::string& unit = packing.pressure_symbol;
-  using P = JamProgress<2>;
+  using P = JamProgress<Dim>;
   const Observables<P> observables{
-      {{"packing_fraction", "", "covered area over area of the cell"},
+      {{"packing_fraction", "", packing_fraction_meaning<Dim>},
        [&](const P& p) { return reached_fraction(packing, p); }},
       {{"pressure", unit, "full virial pressure (9.26)"}, [](const P& p) { return p.state.full_pressure; }},
       {{"contact_pressure", unit, "pressure by contacts alone"},
@@ -50,13 +52,13 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
        [&](const P&) { return static_cast<double>(look_at(packing).bodies()); }}};
   observables.declare("packing", recorder);
   WayToJam way(c.jamming.pressure);
-  JamState<2> state;
+  JamState<Dim> state;
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("jam", state);
   };
   restore(recorder, keep);
-  const auto watch = [&](const JamProgress<2>& p) {
+  const auto watch = [&](const JamProgress<Dim>& p) {
     if (is_minimum(p)) observables.append("packing", p, recorder);
     recorder.progress(
         fmt::format("jam: phi = {:.4f}, P = {:.2e}", reached_fraction(packing, p), p.state.pressure),
@@ -67,7 +69,7 @@ void run_jamming(const Case& c, const InitialState* initial, Recorder& recorder)
     JamSpec spec = jam_spec(c);
     if (initial && spec.search == JamSearch::pressure)
       spec.search = JamSearch::root;  // soft contacts would rearrange it
-    const JamProgress<2> end = jam(
+    const JamProgress<Dim> end = jam(
         packing, spec, state, [&] { recorder.hold(keep, "after minimisation", state.minimisations()); },
         watch);
     recorder.progress("jam", 1000, 1000);
@@ -85,8 +87,8 @@ Experiment jamming() {
           .meaning = "isotropic compression of deformable particles to a jammed packing (9.4)",
           .matter = &body_matter(),
           .keys = with(minimised_keys(), {"jamming.*"}),
-          .derive = derive_jamming,
-          .run = run_jamming,
+          .derive = {derive_jamming<2>, derive_jamming<3>},
+          .run = {run_jamming<2>, run_jamming<3>},
           .figure = always<Figure::search>,
           .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "bodies.vertices",
                          "jamming.pressure"}};

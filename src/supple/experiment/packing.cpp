@@ -13,16 +13,12 @@
 #include "supple/contact/smooth_surfaces.hpp"
 #include "supple/core/error.hpp"
 #include "supple/energy/collapse.hpp"
-#include "supple/experiment/bodies_of_case.hpp"
-#include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/pairs_of_case.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
 #include "supple/force/surface_shape.hpp"
-#include "supple/model/body_flow.hpp"
-#include "supple/model/rigid.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/shape_measures.hpp"
@@ -80,48 +76,16 @@ ForceField<Dim> make_body_field(const Case& c) {
   return field;
 }
 
-WallLaw<2> wall_law(const Case& c) {
-  WallLaw<2> walls;
+template <int Dim>
+WallLaw<Dim> wall_law(const Case& c) {
+  WallLaw<Dim> walls;
   walls.repulsion = springs_of(c);
   walls.repulsion.stiffness *= c.contact.k_p;
-  walls.floor_friction = c.contact.floor_friction;
+  if constexpr (Dim == 2) walls.floor_friction = c.contact.floor_friction;
   return walls;
 }
 
 namespace {
-
-void check_initial(const Case& c, const InitialState* initial, const Making& making) {
-  if (!initial) return;
-  const System<2>& given = system_of<2>(*initial);
-  if (given.topology.begin.empty())
-    throw input_error("the state to start from holds no bodies", "its discs are of the microgel model",
-                      "start from a run of deformable particles, or from [bodies]");
-  if (!given.links.empty() && making.flow == Flow::stopped)
-    throw input_error("the state to start from holds crosslinked particles",
-                      fmt::format("{} would leave their links out", c.general.experiment),
-                      "shear them, or start from particles without links");
-  const std::vector<std::int32_t>& species = given.species;
-  if (!c.pairs.empty() && species.empty())
-    throw input_error("the particles to start from are of no species",
-                      fmt::format("[{}] is about contacts of some of them", pair_section(c.pairs.front())),
-                      "start from a run of [[species]], or leave that section away");
-  if (const auto kinds = species.empty() ? 0 : *std::max_element(species.begin(), species.end()) + 1;
-      !c.species.empty() && kinds > static_cast<std::int32_t>(c.species.size()))
-    throw input_error(fmt::format("the particles to start from are of {} species", kinds),
-                      fmt::format("the case has {}", c.species.size()), "leave [[species]] away");
-}
-
-bool is_enclosed(const System<2>& system) { return !system.box.periodic[0] && !system.box.periodic[1]; }
-bool is_periodic(const System<2>& system) { return system.box.periodic[0] && system.box.periodic[1]; }
-
-/// What acts on particles of a state from outside: walls where its cell is not periodic, and gravity.
-void surround(const Case& c, const Environment& environment, Packing<2>& p) {
-  p.field->external().gravity = environment.gravity_in<2>();
-  if (is_periodic(p.system)) return;
-  WallLaw<2> walls = wall_law(c);
-  walls.stands = environment.stands_in<2>();
-  p.field->set_walls(walls);
-}
 
 /// Of all polygons and discs.
 template <int Dim>
@@ -225,77 +189,6 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   return p;
 }
 
-namespace {
-
-/// The particles of a state with the stiffnesses of the case.
-System<2> given_system(const Case& c, const InitialState& initial, Flow flow) {
-  System<2> system = system_of<2>(initial);
-  if (flow == Flow::stopped) {
-    set_strain_rate(system, 0);
-    leave_plates(system);
-    system.lag = 0;  // velocities of its end begin this one
-    place_sites(system);
-    system.touches = {};  // only contacts that rub remember
-  }
-  give_stiffness(c, system);
-  return system;
-}
-
-/// The particles of a state, or random ones of the case.
-Packing<2> packing_from(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                        const Enclosure& enclosure, const Making& making) {
-  check_initial(c, initial, making);
-  Packing<2> p;
-  if (initial) {
-    p = packing_of(c, given_system(c, *initial, making.flow));
-  } else if (making.places == Places::apart) {
-    System<2> apart = particles_apart(c);
-    const LooseBodies loose = loose_bodies(c, packing_fraction_wanted, enclosure, &apart);
-    p = packing_of(c, std::move(apart), Places::apart);
-    p.cell = loose.cell;
-    p.covered_area = loose.area;
-    return p;
-  } else {
-    p = packing_of(c, random_packing(c, packing_fraction_wanted, enclosure, making.stop_requested));
-  }
-  return p;
-}
-
-}  // namespace
-
-Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                        const Making& making) {
-  Packing<2> p = packing_from(c, initial, packing_fraction_wanted, {}, making);
-  if (initial) surround(c, initial->environment, p);
-  return p;
-}
-
-Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double packing_fraction_wanted,
-                              double aspect_ratio, const Making& making) {
-  if (initial && !is_enclosed(system_of<2>(*initial)))
-    throw input_error("the state to start from is periodic",
-                      fmt::format("{} needs a box of walls", c.general.experiment),
-                      "start from a run between walls, or from [bodies]");
-  if (initial && !(initial->environment.is_closed() && initial->environment.gravity == Vec3{}))
-    throw input_error(
-        "the state to start from lies under gravity, or without some of the walls",
-        fmt::format("{} is about particles between four walls, without weight", c.general.experiment),
-        "start from a run of it, or from [bodies]");
-  Packing<2> p = packing_from(c, initial, packing_fraction_wanted, {aspect_ratio, {false, false}}, making);
-  WallLaw<2> walls = wall_law(c);
-  walls.floor_friction = 0;  // friction has no energy to minimise
-  p.field->set_walls(walls);
-  return p;
-}
-
-Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making) {
-  if (initial && !is_periodic(system_of<2>(*initial)))
-    throw input_error("the state to start from lies between walls",
-                      fmt::format("{} needs a periodic cell", c.general.experiment),
-                      "start from a periodic packing");
-  return make_packing(c, initial, c.jamming.packing_fraction, making);
-}
-
 template <int Dim>
 double covered_fraction(const Packing<Dim>& packing) {
   if constexpr (Dim == 2)
@@ -324,11 +217,13 @@ PackingState<Dim> observe(Packing<Dim>& packing) {
 
 template void Packing<2>::keep(Keeper&);
 template ForceField<2> make_body_field(const Case&);
+template WallLaw<2> wall_law(const Case&);
 template Packing<2> packing_of(const Case&, System<2>, Places);
 template double covered_fraction(const Packing<2>&);
 template PackingState<2> observe(Packing<2>&);
 template void Packing<3>::keep(Keeper&);
 template ForceField<3> make_body_field(const Case&);
+template WallLaw<3> wall_law(const Case&);
 template Packing<3> packing_of(const Case&, System<3>, Places);
 template double covered_fraction(const Packing<3>&);
 template PackingState<3> observe(Packing<3>&);

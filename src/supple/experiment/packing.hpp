@@ -62,10 +62,12 @@ struct Making {
   Flow flow = Flow::stopped;
 };
 
-/// The particles of the case at random positions without overlap in a square periodic cell of this packing
-/// fraction, or the particles of `initial`. Throws input errors where the case asks for what cannot be.
-Packing<2> make_packing(const Case& c, const InitialState* initial, double packing_fraction,
-                        const Making& making = {});
+/// The particles of the case at random positions without overlap in a square (3D: cubic) periodic cell of
+/// this packing fraction, or the particles of `initial`. Throws input errors where the case asks for what
+/// cannot be.
+template <int Dim = 2>
+Packing<Dim> make_packing(const Case& c, const InitialState* initial, double packing_fraction,
+                          const Making& making = {});
 
 /// The same between four walls, with this height over width; as far as there is room no particle reaches
 /// beyond a wall. The packing fraction is of the area between the walls. A state keeps its own box; input
@@ -75,7 +77,8 @@ Packing<2> make_boxed_packing(const Case& c, const InitialState* initial, double
 
 /// make_packing() for experiments that change the size of the cell, at jamming.packing_fraction. Input error
 /// where `initial` is not periodic.
-Packing<2> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
+template <int Dim = 2>
+Packing<Dim> make_periodic_packing(const Case& c, const InitialState* initial, const Making& making = {});
 
 /// What the case says of these particles, wherever they come from. Input errors on particles that cannot be
 /// computed with, are in each other, or would shrink to points.
@@ -87,7 +90,8 @@ template <int Dim>
 ForceField<Dim> make_body_field(const Case& c);
 
 /// The walls that the case describes.
-WallLaw<2> wall_law(const Case& c);
+template <int Dim>
+WallLaw<Dim> wall_law(const Case& c);
 
 /// What this pressure is on a line (3D: a square) of this length [force]: of a vertex, or a particle.
 template <int Dim>

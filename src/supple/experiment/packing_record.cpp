@@ -166,8 +166,7 @@ template <int Dim>
 Observables<PackingInstant<Dim>> packing_observables(const std::string& symbol) {
   using P = PackingInstant<Dim>;
   Observables<P> all{
-      {{"packing_fraction", "",
-        Dim == 2 ? "covered area over area of the cell" : "covered volume over volume of the cell"},
+      {{"packing_fraction", "", packing_fraction_meaning<Dim>},
        [](const P& p) { return p.report.fraction.total; }},
       {{"pressure", symbol, "full virial pressure (9.26)"}, [](const P& p) { return pressure(p.stress()); }},
       {{"contact_pressure", symbol, "pressure by contacts alone"},

@@ -52,7 +52,10 @@ template <int Dim>
 PackingReport<Dim> report_packing(Packing<Dim>& packing,
                                   const std::type_identity_t<PresentMotion<Dim>>& now = {});
 
-/// The meaning of the column "unsound" of tables.
+/// The meanings of columns of tables.
+template <int Dim>
+inline constexpr const char* packing_fraction_meaning =
+    Dim == 2 ? "covered area over area of the cell" : "covered volume over volume of the cell";
 inline constexpr const char* unsound_meaning =
     "particles that have got into another one, cross themselves, or have holes between their vertices";
 

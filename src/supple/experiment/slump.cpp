@@ -49,7 +49,7 @@ double hang(System<2>& s, double width, double spacing, double widest, std::int6
 
 /// Walls without a lid, and with or without the right one.
 WallLaw<2> open_box(const Case& c, bool right_wall) {
-  WallLaw<2> walls = wall_law(c);
+  WallLaw<2> walls = wall_law<2>(c);
   walls.stands[gradient][1] = false;
   walls.stands[flow][1] = right_wall;
   return walls;

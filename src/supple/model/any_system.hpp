@@ -11,6 +11,9 @@ namespace supple {
 using AnySystem = std::variant<System<2>, System<3>>;
 using AnyEvaluation = std::variant<Evaluation<2>, Evaluation<3>>;
 
+/// 2 or 3.
+inline int dimensions_of(const AnySystem& any) { return any.index() == 0 ? 2 : 3; }
+
 /// Discs, spheres and vertices of a system.
 inline int site_count(const AnySystem& any) {
   return std::visit([](const auto& system) { return system.state.size(); }, any);
