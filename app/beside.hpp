@@ -27,7 +27,7 @@ struct DrawnRun {
   std::string mark;  ///< of its pictures
   explicit DrawnRun(const std::string& path) : run(path), mark(mark_of(run)) {}
 };
-void snapshot(const DrawnRun& run, std::optional<int> frame, const std::string& color,
+void snapshot(const DrawnRun& run, std::optional<int> frame, const PictureChoice& choice,
               const std::string& path, Existing existing);
 void plot(const DrawnRun& run, const std::string& path, Existing existing);
 

@@ -7,6 +7,7 @@
 
 #include "supple/core/new_file.hpp"
 #include "supple/experiment/case.hpp"
+#include "supple/io/run/run_pictures.hpp"
 
 namespace supple::command {
 
@@ -63,9 +64,9 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
                 Existing existing, const std::string& cells = "polygons");
 
 /// Draws frame `frame` (negative: counted from the end; none: the most sheared one, or the last
-/// where none is); `color`: the number of each deformable particle that colours it, or empty; `path` empty:
+/// where none is); `choice` as for draw_frame(); `path` empty:
 /// beside the run.
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+void snapshot(const std::string& run_path, std::optional<int> frame, const PictureChoice& choice,
               const std::string& path, Existing existing);
 
 /// Draws the figure of a run: what it shows depends on the experiment (Figure).

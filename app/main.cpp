@@ -38,8 +38,8 @@ constexpr auto exit_codes =
 /// What the options of one call are read into.
 struct Options {
   command::CaseChoice choice;
-  std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, section,
-              physics;
+  std::string experiment = "oscillatory_shear", run, output, to = "csv", cells = "polygons", color, view,
+              section, physics;
   std::optional<int> frame;
   command::Timing timing;
   bool force = false, json = false;
@@ -185,9 +185,14 @@ void add_run_commands(CLI::App& app, Options& o) {
           "Number that colours particles: pressure, shape_parameter, contacts, ..., of discs stress_xx, ... "
           "(default: id, those that touch differ)")
       ->type_name("NAME");
+  snapshot
+      ->add_option(
+          "--view", o.view,
+          "From where to look, in 3D: corner, x, y, z, or AZIMUTH,ELEVATION in degrees (default: corner)")
+      ->type_name("VIEW");
   add_output(*snapshot, o,
              "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");
-  snapshot->callback([&] { command::snapshot(o.run, o.frame, o.color, o.output, o.existing()); });
+  snapshot->callback([&] { command::snapshot(o.run, o.frame, {o.color, o.view}, o.output, o.existing()); });
 
   CLI::App* plot =
       app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");

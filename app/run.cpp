@@ -131,7 +131,7 @@ void draw_images_of(const Case& c, const std::string& run, Existing existing, Co
   const auto& [format, count] = std::tie(c.output.image_format, c.output.images);
   if (existing == Existing::replace) remove_numbered_files(images_folder(run), "image");
   make_folder(images_folder(run));
-  draw_frames(images_folder(run), format, RunFile(run), count, "", progress);
+  draw_frames(images_folder(run), format, RunFile(run), count, {}, progress);
   recorder.end_progress();
 }
 
@@ -143,7 +143,7 @@ std::vector<std::string> write_beside(const Case& c, const std::string& run, Exi
   const auto drawn = [&]() -> const DrawnRun& { return opened ? *opened : opened.emplace(run); };
   if (draws_plot(c)) draw_or_warn(plot_path(run, c), written, [&] { plot(drawn(), "", existing); });
   if (c.output.snapshot)
-    draw_or_warn(snapshot_path(run), written, [&] { snapshot(drawn(), std::nullopt, "", "", existing); });
+    draw_or_warn(snapshot_path(run), written, [&] { snapshot(drawn(), std::nullopt, {}, "", existing); });
   if (c.output.text) {
     export_run(run, "text", "", existing);
     written.push_back(export_path(run, "text"));

@@ -117,7 +117,7 @@ void export_run(const std::string& run_path, const std::string& to, const std::s
   else write_state_json(read_state(run_path), file, existing);
 }
 
-void snapshot(const DrawnRun& drawn, std::optional<int> frame, const std::string& color,
+void snapshot(const DrawnRun& drawn, std::optional<int> frame, const PictureChoice& choice,
               const std::string& path, Existing existing) {
   const RunFile& run = drawn.run;
   const std::string file = path.empty() ? snapshot_path(run.path()) : path;
@@ -128,7 +128,7 @@ void snapshot(const DrawnRun& drawn, std::optional<int> frame, const std::string
     if (k < 0 || k >= count)
       throw input_error(fmt::format("{} has no frame {}", run.path(), *frame), "",
                         fmt::format("give 0 to {}, or -1 for the last", count - 1));
-    draw_frame(file, run, k, color);
+    draw_frame(file, run, k, choice);
   });
 }
 
@@ -137,9 +137,9 @@ void plot(const DrawnRun& drawn, const std::string& path, Existing existing) {
   draw(drawn, file, existing, [&] { draw_figure(file, drawn.run); });
 }
 
-void snapshot(const std::string& run_path, std::optional<int> frame, const std::string& color,
+void snapshot(const std::string& run_path, std::optional<int> frame, const PictureChoice& choice,
               const std::string& path, Existing existing) {
-  snapshot(DrawnRun(run_path), frame, color, path, existing);
+  snapshot(DrawnRun(run_path), frame, choice, path, existing);
 }
 
 void plot(const std::string& run_path, const std::string& path, Existing existing) {

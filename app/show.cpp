@@ -28,17 +28,18 @@ int particle_count(const RunInfo<2>& info) {
   return p.empty() ? 0 : 1 + *std::max_element(p.begin(), p.end());
 }
 
-/// Bodies of a run of deformable particles; vertices: of polygons.
+/// Bodies of a run of deformable particles; shapes: polygons or surfaces, and the vertices of all of them.
 struct BodyCounts {
-  int bodies = 0, polygons = 0, vertices = 0;
+  int bodies = 0, shapes = 0, vertices = 0;
 };
 
-BodyCounts count_bodies(const RunInfo<2>& info) {
+template <int Dim>
+BodyCounts count_bodies(const RunInfo<Dim>& info) {
   BodyCounts count;
   for (std::size_t b = 0; b + 1 < info.body_begin.size(); ++b) {
     const int sites = info.body_begin[b + 1] - info.body_begin[b];
     ++count.bodies;
-    if (sites > 1) ++count.polygons, count.vertices += sites;
+    if (sites > 1) ++count.shapes, count.vertices += sites;
   }
   return count;
 }
@@ -72,24 +73,27 @@ Contents discs_of(const RunInfo<2>& info) {
 }
 
 /// The cell at the last frame, as packings change theirs.
-Contents bodies_of(const RunFile& run, const RunInfo<2>& info) {
+template <int Dim>
+Contents bodies_of(const RunFile& run, const RunInfo<Dim>& info) {
   const BodyCounts count = count_bodies(info);
-  const std::string family = family_of(run);
+  const std::string family = family_of(run), shapes = Dim == 2 ? "polygons" : "surfaces";
   Contents contents;
   if (!family.empty()) contents.sizes["family"] = family;
   contents.sizes["particles"] = count.bodies;
-  contents.sizes["polygons"] = count.polygons;
+  contents.sizes[shapes] = count.shapes;
   contents.sizes["vertices"] = count.vertices;
   contents.text = fmt::format("{} particles", count.bodies);
   if (!family.empty()) contents.text += " (" + family + ")";
-  if (count.polygons > 0)
-    contents.text += fmt::format(", {} of them polygons, with {} vertices", count.polygons, count.vertices);
-  const Vec2 cell = run.frames() > 0 ? run.frame(run.frames() - 1).length : info.box.length;
-  contents.text += fmt::format(", cell {:.4g} x {:.4g}", cell[0], cell[1]);
+  if (count.shapes > 0)
+    contents.text += fmt::format(", {} of them {}, with {} vertices", count.shapes, shapes, count.vertices);
+  const Vec<Dim> cell = run.frames() > 0 ? run.frame<Dim>(run.frames() - 1).length : info.box.length;
+  contents.text += ", cell";
+  for (int d = 0; d < Dim; ++d) contents.text += fmt::format("{} {:.4g}", d > 0 ? " x" : "", cell[d]);
   return contents;
 }
 
 Contents contents_of(const RunFile& run) {
+  if (run.dimensions() == 3) return bodies_of(run, run.info<3>());
   const RunInfo<2> info = run.info();
   return info.body_begin.empty() ? discs_of(info) : bodies_of(run, info);
 }

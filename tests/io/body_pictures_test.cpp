@@ -32,7 +32,7 @@ class BodyPictures : public testing::TemporaryFolder {
     return RunFile(in_folder("run.h5"));
   }
   std::string snapshot(const RunFile& run, std::int64_t k, const std::string& color = "") {
-    draw_frame(in_folder("a.svg"), run, k, color);
+    draw_frame(in_folder("a.svg"), run, k, {color});
     return content_of(in_folder("a.svg"));
   }
   static std::string size(const std::string& svg) { return svg.substr(svg.find("width="), 40); }
@@ -49,7 +49,7 @@ TEST_F(BodyPictures, SuggestTheColourThatWasMeant) {
   const RunFile run = run_of("jamming");
   const auto message = [&](const std::string& color) -> std::string {
     try {
-      draw_frame(in_folder("b.svg"), run, 0, color);
+      draw_frame(in_folder("b.svg"), run, 0, {color});
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::input);
       return e.what();
@@ -91,7 +91,7 @@ TEST_F(BodyPictures, TheTitleOfACompressionIsTheStrainOfItsFrame) {
 
 TEST_F(BodyPictures, ImagesShareTheirPageAndTheirScales) {
   const RunFile run = run_of("slump", 5, true);
-  EXPECT_EQ(draw_frames(folder(), "svg", run, 3, "pressure"), 3);
+  EXPECT_EQ(draw_frames(folder(), "svg", run, 3, {"pressure"}), 3);
   std::string svg[3];
   for (int k = 0; k < 3; ++k) svg[k] = content_of(in_folder("image000000" + std::to_string(k) + ".svg"));
   EXPECT_EQ(size(svg[0]), size(svg[1]));

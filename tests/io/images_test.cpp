@@ -42,7 +42,7 @@ class ImagesTest : public testing::TemporaryFolder {
 
 TEST_F(ImagesTest, AreNumberedAndOfOneSize) {
   std::int64_t heard = 0;
-  EXPECT_EQ(draw_frames(folder(), "png", two_discs(9, 0.05), 3, "",
+  EXPECT_EQ(draw_frames(folder(), "png", two_discs(9, 0.05), 3, {},
                         [&](std::int64_t done, std::int64_t total) {
                           heard = done;
                           EXPECT_EQ(total, 3);
@@ -60,7 +60,7 @@ TEST_F(ImagesTest, AStopIsHeardBeforeTheFirstIsDrawn) {
   const auto stop = [](std::int64_t done, std::int64_t) {
     if (done == 0) throw Error(ErrorKind::interrupted, "stop");
   };
-  EXPECT_THROW(draw_frames(folder(), "svg", two_discs(5), 5, "", stop), Error);
+  EXPECT_THROW(draw_frames(folder(), "svg", two_discs(5), 5, {}, stop), Error);
   EXPECT_EQ(files(), 1u);
 }
 

@@ -59,7 +59,7 @@ TEST_F(RunPicturesTest, DiscsHaveTheColoursOfTheNumbersOfTheirFrames) {
   const RunFile run = make_run("dynamics", "1000");
   EXPECT_EQ(run.unit_of_bodies("stress_xx"), "Pa");
   const auto fills = [&](const std::string& color, const std::string& rgb) {
-    draw_frame(in_folder("a.svg"), run, run.frames() - 1, color);
+    draw_frame(in_folder("a.svg"), run, run.frames() - 1, {color});
     return count_of(content_of(in_folder("a.svg")), "fill:rgb(" + rgb + ")");
   };
   const std::string lowest = "99.607843%,98.431373%,91.372549%", single = "86.666667%,86.666667%,86.666667%";
@@ -67,7 +67,7 @@ TEST_F(RunPicturesTest, DiscsHaveTheColoursOfTheNumbersOfTheirFrames) {
   EXPECT_EQ(fills("stress_xx", single), 0);
   EXPECT_GE(fills("id", single), 12);
   try {
-    draw_frame(in_folder("a.svg"), run, 0, "shape_parameter");
+    draw_frame(in_folder("a.svg"), run, 0, {"shape_parameter"});
     FAIL();
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("choose from 'id', 'stress_xx'"), std::string::npos) << e.what();

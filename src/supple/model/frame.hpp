@@ -1,8 +1,10 @@
 /// A system at one instant as files and pictures show it, and what stays the same in a run.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "supple/model/box.hpp"
 #include "supple/model/pair_table.hpp"
 #include "supple/model/state.hpp"
+#include "supple/model/topology.hpp"
 #include "supple/model/units.hpp"
 
 namespace supple {
@@ -68,6 +71,17 @@ struct RunInfo {
   /// from each site to the next.
   std::vector<std::array<std::int32_t, Dim>> facet;
 };
+
+/// Bodies and triangles of a run in 3D, without hinges.
+inline Topology<3> topology_of(const RunInfo<3>& info) {
+  Topology<3> t;
+  t.begin = info.body_begin;
+  t.facet = info.facet;
+  t.facet_begin.assign(std::max<std::size_t>(t.begin.size(), 1), 0);
+  for (const auto& facet : t.facet) ++t.facet_begin[info.particle[facet[0]] + 1];
+  std::partial_sum(t.facet_begin.begin(), t.facet_begin.end(), t.facet_begin.begin());
+  return t;
+}
 
 /// A frame, and what stays the same, of a run in two dimensions or three.
 using AnyFrame = std::variant<Frame<2>, Frame<3>>;

@@ -107,7 +107,7 @@ int dimensions_of(const h5::Group& root) {
 
 namespace {
 
-/// The triangles of a run in 3D; each is of sites of one body.
+/// The triangles of a run in 3D; each is of sites of one body, and those of a body stand together.
 void read_facets(const h5::Group& discs, RunInfo<3>& info) {
   if (discs.has("facet")) read(discs, "facet", info.facet);
   for (const auto& triangle : info.facet)
@@ -115,6 +115,9 @@ void read_facets(const h5::Group& discs, RunInfo<3>& info) {
       expect_sound(0 <= site && site < static_cast<std::int64_t>(info.particle.size()) &&
                        info.particle[site] == info.particle[triangle[0]],
                    discs, "a triangle of sites that are not those of one body");
+  const auto body = [&](const auto& triangle) { return info.particle[triangle[0]]; };
+  expect_sound(std::ranges::is_sorted(info.facet, {}, body), discs,
+               "its triangles are not in order of bodies");
 }
 
 }  // namespace

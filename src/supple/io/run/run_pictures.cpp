@@ -15,6 +15,7 @@
 #include "supple/draw/scene/colors_apart.hpp"
 #include "supple/draw/scene/drawn_cell.hpp"
 #include "supple/draw/scene/frame_scene.hpp"
+#include "supple/draw/solid/solid_snapshot.hpp"
 
 namespace supple {
 
@@ -37,24 +38,51 @@ void check_color(const RunFile& run, std::int64_t k, const std::string& color) {
                     near ? fmt::format("did you mean '{}'?", *near) : "choose from " + join_names(names));
 }
 
+/// What the packing is; empty where that is not known.
+std::string packing_title(const RunFile& run, double packing_fraction, double pressure) {
+  if (!std::isfinite(packing_fraction)) return "";
+  std::string title = fmt::format("\u03c6 = {:.4f}", packing_fraction);
+  const std::string unit = run.unit_of_bodies("pressure");
+  if (std::isfinite(pressure))
+    title += fmt::format(",  P = {}{}", short_number(pressure), unit.empty() ? "" : "\u00a0" + unit);
+  return title;
+}
+
 /// Time where it passes; else what the packing is.
 std::string title_of(const RunFile& run, const Scene& scene) {
   if (const auto strain = scene.numbers.find("uniaxial_strain"); strain != scene.numbers.end())
     return fmt::format("strain {}\u00a0%", tick_label(100 * strain->second, 0.1));
   const CellNumbers cell = cell_numbers(scene);
-  if (scene.time != 0 || !std::isfinite(cell.packing_fraction)) return "";  // time and strain
-  std::string title = fmt::format("\u03c6 = {:.4f}", cell.packing_fraction);
-  const std::string unit = run.unit_of_bodies("pressure");
-  if (std::isfinite(cell.pressure))
-    title += fmt::format(",  P = {}{}", short_number(cell.pressure), unit.empty() ? "" : "\u00a0" + unit);
-  return title;
+  return scene.time != 0 ? "" : packing_title(run, cell.packing_fraction, cell.pressure);  // time and strain
 }
+
+/// Numbers of bodies as their colours.
+BodyScalar as_colors(const RunFile& run, const std::string& name, const std::vector<double>& values) {
+  std::string label = name;
+  std::replace(label.begin(), label.end(), '_', ' ');
+  return {label, run.unit_of_bodies(name), values};
+}
+
+/// Interval that holds all numbers that it was shown; infinite and backward before.
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(const std::vector<double>& values) {
+    for (const double value : values)
+      if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  /// As the range of colours, if there is one.
+  void give(std::optional<BodyScalar>& scalar) const {
+    if (scalar && low < high) scalar->range = {low, high};
+  }
+};
 
 /// Frames of a run, and what all of its pictures share.
 class RunScenes {
  public:
-  RunScenes(const RunFile& run, const std::string& color)
-      : run_(run), info_(run.info()), color_(color == by_contact ? "" : color) {
+  RunScenes(const RunFile& run, const PictureChoice& choice)
+      : run_(run), info_(run.info()), color_(choice.color == by_contact ? "" : choice.color) {
+    if (!choice.view.empty())
+      throw input_error("a view of " + run.path(), "it is a run in two dimensions", "leave the view away");
     if (run.resolved_case().contact.kind == "smooth") boundary_ = Boundary::smooth;
     if (color_.empty()) common_.color = colors_apart(std::vector{scene(0), scene(run.frames() - 1)});
   }
@@ -74,16 +102,14 @@ class RunScenes {
     common_.strain_room = std::max(common_.strain_room, std::abs(drawn_strain(scene.box)));
     for (int d = 0; d < 2 && !scene.box.periodic[flow] && !scene.box.periodic[gradient]; ++d)
       common_.room[d] = std::max(common_.room[d], scene.box.length[d]);
-    if (const auto scalar = scalar_of(scene))
-      for (const double value : scalar->value)
-        if (std::isfinite(value)) range_ = {std::min(range_.first, value), std::max(range_.second, value)};
+    if (const auto scalar = scalar_of(scene)) span_.add(scalar->value);
   }
 
   void draw(const std::string& path, const Scene& scene) const {
     SnapshotOptions options = common_;
     options.title = title_of(run_, scene);
     options.scalar = scalar_of(scene);
-    if (options.scalar && range_.first < range_.second) options.scalar->range = range_;
+    span_.give(options.scalar);
     draw_snapshot(path, scene, options);
   }
 
@@ -91,9 +117,7 @@ class RunScenes {
   std::optional<BodyScalar> scalar_of(const Scene& scene) const {
     const std::vector<double>* values = numbers_of_bodies(scene, color_);
     if (!values) return {};
-    std::string label = color_;
-    std::replace(label.begin(), label.end(), '_', ' ');
-    return BodyScalar{label, run_.unit_of_bodies(color_), *values};
+    return as_colors(run_, color_, *values);
   }
 
   const RunFile& run_;
@@ -101,24 +125,105 @@ class RunScenes {
   std::string color_;
   Boundary boundary_ = Boundary::rough;
   SnapshotOptions common_;
-  std::pair<double, double> range_{std::numeric_limits<double>::infinity(),
-                                   -std::numeric_limits<double>::infinity()};
+  Span span_;
 };
+
+/// A frame in 3D, and the particles in it as pictures take them.
+struct Solid {
+  Frame<3> frame;
+  SolidScene scene;
+};
+
+/// The same of a run in 3D.
+class RunSolids {
+ public:
+  RunSolids(const RunFile& run, const PictureChoice& choice)
+      : run_(run),
+        info_(run.info<3>()),
+        topology_(topology_of(info_)),
+        color_(choice.color == by_contact ? "" : choice.color) {
+    if (!choice.view.empty()) common_.view = view_of(choice.view);
+    if (color_.empty())
+      common_.color = colors_apart(std::vector{scene(0).scene, scene(run.frames() - 1).scene});
+  }
+
+  Solid scene(std::int64_t k) const {
+    Solid solid{run_.frame<3>(k), {}};
+    Box<3> box = info_.box;
+    box.length = solid.frame.length;
+    box.strain = solid.frame.strain;
+    solid.scene = solid_scene_of(box, topology_, solid.frame.position, info_.radius);
+    solid.scene.units = info_.units;
+    solid.scene.time = solid.frame.time;
+    return solid;
+  }
+
+  void fit(const Solid& solid) {
+    const Bounds extent = extent_of(solid.scene, common_.view);
+    if (!common_.room) common_.room = extent;
+    for (int d = 0; d < 2; ++d) {
+      common_.room->low[d] = std::min(common_.room->low[d], extent.low[d]);
+      common_.room->high[d] = std::max(common_.room->high[d], extent.high[d]);
+    }
+    for (const double length : solid.scene.box.length.e)
+      common_.scale_length = std::max(common_.scale_length, length);
+    if (const auto scalar = scalar_of(solid)) span_.add(scalar->value);
+  }
+
+  void draw(const std::string& path, const Solid& solid) const {
+    SolidSnapshotOptions options = common_;
+    const auto number = [&](const char* name) {
+      const auto at = solid.frame.numbers.find(name);
+      return at == solid.frame.numbers.end() ? std::nan("") : at->second;
+    };
+    if (solid.frame.time == 0)
+      options.title = packing_title(run_, number("packing_fraction"), number("pressure"));
+    options.scalar = scalar_of(solid);
+    span_.give(options.scalar);
+    draw_solid_snapshot(path, solid.scene, options);
+  }
+
+ private:
+  std::optional<BodyScalar> scalar_of(const Solid& solid) const {
+    const auto values = solid.frame.body.find(color_);
+    if (values == solid.frame.body.end()) return {};
+    return as_colors(run_, color_, values->second);
+  }
+
+  const RunFile& run_;
+  RunInfo<3> info_;
+  Topology<3> topology_;
+  std::string color_;
+  SolidSnapshotOptions common_;
+  Span span_;
+};
+
+/// Calls `work` with the scenes of the run, whatever its dimensions.
+template <class Work>
+void with_scenes(const RunFile& run, const PictureChoice& choice, Work&& work) {
+  if (run.dimensions() == 2) {
+    RunScenes scenes(run, choice);
+    work(scenes);
+  } else {
+    RunSolids scenes(run, choice);
+    work(scenes);
+  }
+}
 
 }  // namespace
 
 std::vector<std::string> body_colors(const RunFile& run, std::int64_t k) {
   check_frame(run, k);
   std::vector<std::string> names{by_contact};
-  for (const auto& [name, values] : run.frame(k).body) names.push_back(name);
+  const BodyNumbers numbers = run.dimensions() == 2 ? run.frame(k).body : run.frame<3>(k).body;
+  for (const auto& [name, values] : numbers) names.push_back(name);
   return names;
 }
 
-void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const std::string& color) {
+void draw_frame(const std::string& path, const RunFile& run, std::int64_t k, const PictureChoice& choice) {
   check_frame(run, k);
-  check_color(run, k, color);
-  const RunScenes scenes(run, color);
-  scenes.draw(path, scenes.scene(k));
+  check_color(run, k, choice.color);
+  with_scenes(run, choice, [&](const auto& scenes) { scenes.draw(path, scenes.scene(k)); });
 }
 
 std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t frames) {
@@ -128,22 +233,23 @@ std::int64_t frame_of_image(std::int64_t k, std::int64_t images, std::int64_t fr
 }
 
 std::int64_t draw_frames(const std::string& folder, const std::string& ending, const RunFile& run,
-                         std::int64_t images, const std::string& color,
+                         std::int64_t images, const PictureChoice& choice,
                          const std::function<void(std::int64_t, std::int64_t)>& progress) {
   picture_format("image." + ending);
   if (run.frames() < 1) throw input_error("cannot draw images", "the run has no frames", "set output.frames");
-  check_color(run, 0, color);
+  check_color(run, 0, choice.color);
   images = std::clamp<std::int64_t>(images, 1, run.frames());
-  RunScenes scenes(run, color);
-  for (std::int64_t k = 0; k < images; ++k) {
-    scenes.fit(scenes.scene(frame_of_image(k, images, run.frames())));
-    if (progress) progress(0, images);  // that hears of a stop, too
-  }
-  for (std::int64_t k = 0; k < images; ++k) {
-    scenes.draw(fmt::format("{}/image{:07}.{}", folder, k, ending),
-                scenes.scene(frame_of_image(k, images, run.frames())));
-    if (progress) progress(k + 1, images);
-  }
+  with_scenes(run, choice, [&](auto& scenes) {
+    for (std::int64_t k = 0; k < images; ++k) {
+      scenes.fit(scenes.scene(frame_of_image(k, images, run.frames())));
+      if (progress) progress(0, images);  // that hears of a stop, too
+    }
+    for (std::int64_t k = 0; k < images; ++k) {
+      scenes.draw(fmt::format("{}/image{:07}.{}", folder, k, ending),
+                  scenes.scene(frame_of_image(k, images, run.frames())));
+      if (progress) progress(k + 1, images);
+    }
+  });
   return images;
 }
 
