@@ -142,7 +142,7 @@ inline void record_sample(Recorder& recorder, int discs, int steps) {
   }
   recorder.value("results", {"storage_modulus", "Pa", "G'"}, 565, 17);
   recorder.warning("the last warning");
-  recorder.final_state(Instant<2>{sample_system(discs), sample_evaluation(discs)});
+  recorder.final_state(FinalState<2>{sample_system(discs), sample_evaluation(discs)});
 }
 
 }  // namespace supple::testing

@@ -84,8 +84,8 @@ Vec<Dim> gaussian_velocity(RandomStream& draw, double energy, double mass) {
 template <int Dim>
 void put_at_rest(System<Dim>& system) {
   std::fill(system.state.velocity.begin(), system.state.velocity.end(), Vec<Dim>{});
-  std::fill(system.rigid.velocity.begin(), system.rigid.velocity.end(), Vec2{});
-  std::fill(system.rigid.spin.begin(), system.rigid.spin.end(), 0.0);
+  std::fill(system.rigid.velocity.begin(), system.rigid.velocity.end(), Vec<Dim>{});
+  std::fill(system.rigid.spin.begin(), system.rigid.spin.end(), Angular<Dim>{});
   system.floor_contact.clear();
   system.time = 0;
   system.step = 0;

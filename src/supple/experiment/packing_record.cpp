@@ -290,7 +290,7 @@ void record_packing(Packing<Dim>& packing, const JamProgress<Dim>& progress, Rec
   }
   warn(r, progress, recorder);
   record_environment(packing, recorder);
-  recorder.final_state(Instant<Dim>{packing.system, r.evaluation});
+  recorder.final_state(FinalState<Dim>{packing.system, r.evaluation});
 }
 
 template <int Dim>
@@ -313,7 +313,7 @@ void hand_over(Packing<Dim>& packing, Recorder& recorder) {
   Evaluation<Dim> evaluation;
   packing.field->evaluate(packing.system, Detail::energies, evaluation);
   record_environment(packing, recorder);
-  recorder.final_state(Instant<Dim>{packing.system, evaluation});
+  recorder.final_state(FinalState<Dim>{packing.system, evaluation});
 }
 
 #define SUPPLE_RECORDED(Dim)                                                                       \

@@ -25,7 +25,7 @@ void run_preparation(const Case& c, const InitialState* initial, Recorder& recor
   record_constants(s, nullptr, derived, recorder);
   const Evaluation<2>& evaluation = s.stepper->evaluate_energies(s.system, {});
   recorder.frame(frame_of(s, evaluation, {}));
-  recorder.final_state(Instant<2>{s.system, evaluation});
+  recorder.final_state(FinalState<2>{s.system, evaluation});
   const StressTensors stress = stress_tensors(s.system, evaluation, s.units.stress());
   recorder.value("results", {"mean_normal_stress", "Pa", "(xx + yy)/2 of the overall tensor, at rest"},
                  stress.pressure());

@@ -26,11 +26,11 @@ using Keep = std::function<void(Keeper&)>;
 
 /// A system, and the forces on it.
 template <int Dim>
-struct Instant {
+struct FinalState {
   System<Dim> system;
   Evaluation<Dim> evaluation;
 };
-using AnyInstant = std::variant<Instant<2>, Instant<3>>;
+using AnyFinalState = std::variant<FinalState<2>, FinalState<3>>;
 
 /// What an experiment calls while it runs: tables such as "preparation" and "stress" (one row per step),
 /// frames, numbers, the final state, progress and warnings.
@@ -52,7 +52,7 @@ class Recorder {
   virtual std::vector<double> column(const std::string& table, const std::string& name) = 0;
   /// The complete state at the end, or where the run was interrupted: a run with `[initial] state` goes on
   /// from it, bit for bit.
-  virtual void final_state(const AnyInstant& instant) = 0;
+  virtual void final_state(const AnyFinalState& instant) = 0;
   virtual void progress(const std::string& phase, std::int64_t done, std::int64_t total) = 0;
   virtual void warning(const std::string& text) = 0;
   /// Whether the user asked to stop (Ctrl-C), for work between two safe points, which then throws
@@ -156,8 +156,8 @@ class MemoryRecorderOf : public Recorder {
     values[group].push_back({name, v, error});
   }
   std::vector<double> column(const std::string& table, const std::string& name) override;
-  void final_state(const AnyInstant& any) override {
-    const auto& instant = std::get<Instant<Dim>>(any);
+  void final_state(const AnyFinalState& any) override {
+    const auto& instant = std::get<FinalState<Dim>>(any);
     last_system = instant.system;
     last_evaluation = instant.evaluation;
   }

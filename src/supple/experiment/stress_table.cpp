@@ -100,7 +100,7 @@ void StressTable::finish(const System<2>& system, const Evaluation<2>& evaluatio
   recorder_.value(protocol_group,
                   {removed_stress, "Pa", "jumps of the cut that were taken from the external stress so far"},
                   jumps_.removed());
-  recorder_.final_state(Instant<2>{system, evaluation});
+  recorder_.final_state(FinalState<2>{system, evaluation});
 }
 
 }  // namespace supple

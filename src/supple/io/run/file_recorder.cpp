@@ -209,10 +209,10 @@ void FileRecorder::value(const std::string& group, const Column& name, double va
   values_.push_back({group, {name, value, error}});
 }
 
-void FileRecorder::final_state(const AnyInstant& any) {
+void FileRecorder::final_state(const AnyFinalState& any) {
   std::visit(
-      [&]<int Dim>(const Instant<Dim>& instant) {
-        Instant<Dim>& last = sites_in<Dim>().final_state.emplace(instant);
+      [&]<int Dim>(const FinalState<Dim>& instant) {
+        FinalState<Dim>& last = sites_in<Dim>().final_state.emplace(instant);
         drop_open(last.system.pairs, last.system.state.size());
       },
       any);

@@ -55,7 +55,7 @@ class FileRecorder : public Recorder {
   void append(const std::string& table, std::span<const double> row) override;
   void frame(const AnyFrame& frame) override;
   void value(const std::string& group, const Column& name, double value, double error = -1) override;
-  void final_state(const AnyInstant& instant) override;
+  void final_state(const AnyFinalState& instant) override;
   std::vector<double> column(const std::string& table, const std::string& name) override;
   void progress(const std::string& phase, std::int64_t done, std::int64_t total) override;
   void warning(const std::string& text) override;
@@ -99,7 +99,7 @@ class FileRecorder : public Recorder {
     std::optional<RunInfo<Dim>> info;         ///< once the run began
     std::vector<Frame<Dim>> frames;           ///< since the last segment
     std::optional<Frame<Dim>> last;           ///< instant of the last frame
-    std::optional<Instant<Dim>> final_state;  ///< if no segment holds it
+    std::optional<FinalState<Dim>> final_state;  ///< if no segment holds it
   };
   template <int Dim>
   Sites<Dim>& sites_in();

@@ -203,20 +203,26 @@ InitialState read_json(const std::string& path) {
   return out;
 }
 
+template <int Dim>
+void take_final_state(const RunFile& run, InitialState& out) {
+  out.units = run.info<Dim>().units;
+  auto [system, evaluation] = run.final_state<Dim>();
+  out.system = std::move(system);
+  out.evaluation = std::move(evaluation);
+}
+
 InitialState read_run(const std::string& path) {
   const RunFile run(path);
   InitialState out;
-  out.units = run.info().units;
-  auto [system, evaluation] = run.final_state();
-  out.system = std::move(system);
-  out.evaluation = std::move(evaluation);
+  if (run.dimensions() == 2) take_final_state<2>(run, out);
+  else take_final_state<3>(run, out);
   for_each_constant(out.material, [&]<class T>(const char* name, std::optional<T>& constant) {
     if (const auto value = run.find_value(material_group, name)) constant = static_cast<T>(*value);
   });
   if (const auto stiffness = run.find_value(material_group, contact_stiffness))
     out.contact = Harmonic{*stiffness, run.value(material_group, contact_is_relative) != 0};
   out.keys = held_keys(run.resolved_case());
-  for_each_wall(out.environment, [&](const char* name, bool& stands) {
+  for_each_wall<3>(out.environment, [&](const char* name, bool& stands) {
     if (const auto value = run.find_value(environment_group, name)) stands = *value != 0;
   });
   if (const auto g = run.find_value(environment_group, "gravity")) out.environment.gravity[gradient] = -*g;
