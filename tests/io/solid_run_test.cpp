@@ -1,6 +1,6 @@
 /// Runs of deformable particles in three dimensions, from their case to their file.
 
-#include "supple/experiment/packing.hpp"
+#include "supple/experiment/packing_record.hpp"
 #include "supple/io/run/run_pictures.hpp"
 #include "tests/io/continued_run.hpp"
 #include "tests/io/same_system.hpp"
@@ -141,7 +141,7 @@ TEST_F(SolidRun, NumbersBeforeItAreThoseOfItsStart) {
   for (const std::string more : {"", "family = \"sphere\"\n", "family = \"droplet\"\nsize_ratio = 2\n"}) {
     const Case c = case_of("experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 8\n" + more +
                            "[jamming]\npacking_fraction = 0.2\n");
-    const Packing<3> apart = make_packing<3>(c, nullptr, 0.2, {Places::apart}),
+    const Packing<3> apart = make_packing<3>(c, nullptr, 0.2, set_apart),
                      random = make_packing<3>(c, nullptr, 0.2);
     EXPECT_NEAR(apart.covered_area, random.covered_area, 1e-6 * random.covered_area) << more;
     EXPECT_NEAR(random.covered_area / random.cell.volume(), 0.2, 1e-6) << more;

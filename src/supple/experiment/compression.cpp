@@ -32,11 +32,12 @@ std::vector<double> pressure_list(const Case& c) {
 }
 
 /// What is kept of the packing at the pressure before.
+template <int Dim>
 struct Snapshot {
   std::vector<ContactNetwork::Pair> pairs;  ///< between particles that are no rattlers
   std::vector<std::uint8_t> rattlers;
-  std::vector<Vec2> centre;
-  Box<2> box;
+  std::vector<Vec<Dim>> centre;
+  Box<Dim> box;
 
   void keep(Keeper& k) {
     std::vector<std::int32_t> sites;
@@ -58,19 +59,21 @@ struct NetworkChange {
   double rearranged() const { return displacement > 0.1 && lost + made > 0; }
 };
 
-Snapshot take_snapshot(const Packing<2>& packing, const PackingReport<2>& report) {
-  Snapshot s{{}, report.rattlers, report.shapes.centre, packing.system.box};
+template <int Dim>
+Snapshot<Dim> take_snapshot(const Packing<Dim>& packing, const PackingReport<Dim>& report) {
+  Snapshot<Dim> s{{}, report.rattlers, report.shapes.centre, packing.system.box};
   for (const ContactNetwork::Pair& p : report.network.pairs)
     if (!report.rattlers[p.first] && !report.rattlers[p.second]) s.pairs.push_back(p);
   return s;
 }
 
 /// Contacts lost and made, and the largest motion of a centre, rattlers left out, relative to the affine
-/// strain, in diameters of a disc of area 1.
-NetworkChange compare(const Snapshot& before, const Snapshot& now) {
+/// strain, in diameters of a disc of area 1 (3D: a sphere of volume 1).
+template <int Dim>
+NetworkChange compare(const Snapshot<Dim>& before, const Snapshot<Dim>& now) {
   NetworkChange change;
   if (before.centre.empty()) return change;
-  const auto has = [](const Snapshot& s, const ContactNetwork::Pair& p) {  // pairs are ascending
+  const auto has = [](const Snapshot<Dim>& s, const ContactNetwork::Pair& p) {  // pairs are ascending
     const auto less = [](const auto& a, const auto& b) {
       return std::pair(a.first, a.second) < std::pair(b.first, b.second);
     };
@@ -80,12 +83,12 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
   for (const auto& p : before.pairs) change.lost += !has(now, p);
   for (const auto& p : now.pairs) change.made += !has(before, p);
   const double factor = now.box.length[0] / before.box.length[0];
-  Vec2 drift{};  // the packing as a whole may slide
+  Vec<Dim> drift{};  // the packing as a whole may slide
   double bodies = 0;
   for (std::size_t b = 0; b < now.centre.size(); ++b) bodies += counts(b);
   for (std::size_t b = 0; b < now.centre.size(); ++b)
     if (counts(b)) drift += (1 / bodies) * (now.centre[b] - factor * before.centre[b]);
-  const double diameter = 2 / std::sqrt(std::numbers::pi);
+  const double diameter = Dim == 2 ? 2 / std::sqrt(std::numbers::pi) : std::cbrt(6 / std::numbers::pi);
   for (std::size_t b = 0; b < now.centre.size(); ++b)
     if (counts(b))
       change.displacement =
@@ -97,14 +100,16 @@ NetworkChange compare(const Snapshot& before, const Snapshot& now) {
 enum class Branch { compression = 1, decompression = -1 };
 
 /// A pressure of the list, reached.
-struct Place : PackingInstant<2> {
+template <int Dim>
+struct Place : PackingInstant<Dim> {
   Branch branch;
   NetworkChange change;
 };
 
-Observables<Place> place_observables(const Packing<2>& packing) {
-  using P = Place;
-  Observables<P> all = packing_observables<2>(packing.pressure_symbol);
+template <int Dim>
+Observables<Place<Dim>> place_observables(const Packing<Dim>& packing) {
+  using P = Place<Dim>;
+  Observables<P> all = packing_observables<Dim>(packing.pressure_symbol);
   all.add({{{"branch", "", "1: compression, -1: decompression"},
             [](const P& p) { return static_cast<double>(p.branch); }},
            {{"lost_contacts", "", "pairs of particles that touched at the pressure before and no longer do"},
@@ -132,13 +137,14 @@ struct Course {
 };
 
 /// How far the walk along the list has got.
+template <int Dim>
 struct Walk {
   std::vector<double> ascent;  ///< pressures of the way up
   bool has_list = false;
   std::int64_t done = 0;  ///< pressures reached
-  JamState<2> jam;        ///< of the search for the next
-  JamProgress<2> last;
-  Snapshot before;
+  JamState<Dim> jam;      ///< of the search for the next
+  JamProgress<Dim> last;
+  Snapshot<Dim> before;
   Course up, down;
 
   void keep(Keeper& k) {
@@ -156,8 +162,9 @@ struct Walk {
 /// P = slope (phi - onset) over the lower decades: shells stiffen above [MacKeith 2025, figure 9.13]. Of the
 /// part of the branch at the lowest pressures that holds no rearrangement: before and after one it is another
 /// packing.
-void record_onset(const Course& course, const std::string& branch, const Packing<2>& packing, double highest,
-                  Recorder& recorder) {
+template <int Dim>
+void record_onset(const Course& course, const std::string& branch, const Packing<Dim>& packing,
+                  double highest, Recorder& recorder) {
   const auto fit = fit_onset(course.packing_fraction, course.pressure, course.rearranged, highest);
   if (!fit) return;
   recorder.value("results",
@@ -171,16 +178,18 @@ void record_onset(const Course& course, const std::string& branch, const Packing
                  fit->slope, fit->slope_error);
 }
 
+template <int Dim>
 std::vector<Derived> derive_compression(const Case& c, const InitialState* initial) {
-  std::vector<Derived> all = derived_equilibria(make_periodic_packing(c, initial, set_apart));
+  std::vector<Derived> all = derived_equilibria(make_periodic_packing<Dim>(c, initial, set_apart));
   all.push_back({{"pressures", "", "pressures of the list"}, static_cast<double>(pressure_list(c).size())});
   return all;
 }
 
 /// The pressures of the way up. A packing that is compressed already goes on from its pressure, because
 /// decompressing it first would change it. On the way back it goes through all pressures of the list.
+template <int Dim>
 std::vector<double> pressures_above(const Case& c, std::vector<double> list, const InitialState* initial,
-                                    Packing<2>& packing) {
+                                    Packing<Dim>& packing) {
   if (!initial) return list;
   const MinimiseReport report = relax(packing);
   require_converged(packing, report, "the packing to start from");
@@ -195,13 +204,14 @@ std::vector<double> pressures_above(const Case& c, std::vector<double> list, con
   return list;
 }
 
+template <int Dim>
 void run_compression(const Case& c, const InitialState* initial, Recorder& recorder) {
   const std::vector<double> list = pressure_list(c);
-  Packing<2> packing = make_periodic_packing(c, initial, at_random(recorder));
-  begin_packing(packing, derive_compression(c, initial), recorder);
-  const Observables<Place> observables = place_observables(packing);
+  Packing<Dim> packing = make_periodic_packing<Dim>(c, initial, at_random(recorder));
+  begin_packing(packing, derive_compression<Dim>(c, initial), recorder);
+  const Observables<Place<Dim>> observables = place_observables(packing);
   observables.declare("packing", recorder);
-  Walk walk;
+  Walk<Dim> walk;
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("walk", walk);
@@ -209,7 +219,7 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
   restore(recorder, keep);
   JamSpec spec = jam_spec(c);
   std::int64_t total = 0;
-  const auto watch = [&](const JamProgress<2>& p) {
+  const auto watch = [&](const JamProgress<Dim>& p) {
     recorder.progress(
         fmt::format("compress: P = {:.1e}, phi = {:.4f}", spec.pressure, reached_fraction(packing, p)),
         walk.done, total);
@@ -219,16 +229,16 @@ void run_compression(const Case& c, const InitialState* initial, Recorder& recor
     spec.pressure = pressure;
     // Contacts that were soft for a while would rearrange a packing that has jammed.
     if (spec.search == JamSearch::pressure && (initial || walk.done > 0)) spec.search = JamSearch::root;
-    JamProgress<2> reached = jam(
+    JamProgress<Dim> reached = jam(
         packing, spec, walk.jam, [&] { recorder.hold(keep, "on the way to pressure", walk.done + 1); },
         watch);
     reached.evaluations += walk.last.evaluations;
     reached.minimisations += walk.last.minimisations;
     reached.unconverged += walk.last.unconverged;
     walk.last = reached;
-    const PackingReport<2> report = report_packing(packing);
-    Snapshot now = take_snapshot(packing, report);
-    const Place place{{packing, report, walk.last}, branch, compare(walk.before, now)};
+    const PackingReport<Dim> report = report_packing(packing);
+    Snapshot<Dim> now = take_snapshot(packing, report);
+    const Place<Dim> place{{packing, report, walk.last}, branch, compare(walk.before, now)};
     observables.append("packing", place, recorder);
     Course& course = branch == Branch::compression ? walk.up : walk.down;
     course.packing_fraction.push_back(report.fraction.total);
@@ -279,8 +289,8 @@ Experiment compression() {
           .meaning = "a jammed packing to a list of pressures, and back: P against phi (9.13)",
           .matter = &body_matter(),
           .keys = with(minimised_keys(), {"jamming.*", "compression.*"}),
-          .derive = derive_compression,
-          .run = run_compression,
+          .derive = {derive_compression<2>, derive_compression<3>},
+          .run = {run_compression<2>, run_compression<3>},
           .figure = always<Figure::branches>,
           .first_keys = {"experiment", "seed", "bodies.family", "bodies.N", "compression.highest_pressure"},
           .check = check_pressures};

@@ -108,7 +108,7 @@ template <int Dim>
 Acceleration<Dim> slow_down(System<Dim>& system, double factor, double time) {
   const std::vector<Vec<Dim>> velocity = system.state.velocity;
   const std::vector<Angular<Dim>> spin = system.state.spin;
-  const RigidBodies rigid = system.rigid;
+  const RigidBodiesOf<Dim> rigid = system.rigid;
   damp(system, factor, Drag::bodies);
   const double per_time = 1 / time;
   Acceleration<Dim> a = system.acceleration;
