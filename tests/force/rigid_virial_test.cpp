@@ -85,15 +85,15 @@ TEST(RigidVirial, OfSurfacesIsTheSlopeOfTheEnergy) {
     field.evaluate(s, Detail::energies, out);
     return out.energy.stored();
   };
-  const double h = 1e-6;
+  const double h = 1e-5;
   double scale = 0;
   for (int d = 0; d < 3; ++d) scale = std::max(scale, std::abs(at.virial[d][d]));
   ASSERT_GT(scale, 1e-3);
   ASSERT_GT(std::abs(rigid_virial(system, at.force)[0][0]), 0.01 * scale);
   for (int d = 0; d < 3; ++d)
-    EXPECT_NEAR(at.virial[d][d], -(energy(d, d, h) - energy(d, d, -h)) / (2 * h), 1e-7 * scale) << d;
+    EXPECT_NEAR(at.virial[d][d], -(energy(d, d, h) - energy(d, d, -h)) / (2 * h), 1e-8 * scale) << d;
   const double shear = -(energy(flow, gradient, h) - energy(flow, gradient, -h)) / (2 * h);
-  EXPECT_NEAR(at.virial[flow][gradient], shear, 1e-7 * scale);
+  EXPECT_NEAR(at.virial[flow][gradient], shear, 1e-8 * scale);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/io/hdf5/body_archive.hpp"
 #include "supple/model/rigid.hpp"
 #include "tests/io/same_system.hpp"
@@ -142,6 +143,44 @@ TEST_F(SystemArchive, DamageOfRigidBodiesIsRefused) {
               HasSubstr("rigid bodies and bodies disagree"));
   EXPECT_THAT(error_after_damage([](R& r) { r.inertia[1] = 0; }),
               HasSubstr("rigid bodies and bodies disagree"));
+}
+
+System<3> with_rigid_surfaces() {
+  System<3> system;
+  for (const double x : {0., 5., 10.})
+    add_surface(system, geodesic_icosahedron(12), 0.1, {}, 1, std::vector<double>(20, 1),
+                std::vector<double>(30, x));
+  for (const int b : {0, 2}) make_rigid(system, b);
+  system.rigid.centre[1] = {1 / 3., 7, -0.0};
+  system.rigid.angle = {{1 / 7., 2, -1 / 3.}, {1e-310, 0, 3}};
+  system.rigid.spin = {{1 / 7., -0.0, 3}, {}};
+  system.rigid.velocity = {{1 / 3., 2, 1}, {3, 1e-310, 2}};
+  place_sites(system);
+  return system;
+}
+
+TEST_F(SystemArchive, RigidSurfacesComeBackBitForBit) {
+  const System<3> read = read_system<3>(written(with_rigid_surfaces()));
+  ASSERT_EQ(read.rigid.size(), 2);
+  expect_same(read, with_rigid_surfaces());
+}
+
+TEST_F(SystemArchive, DamageOfRigidSurfacesIsRefused) {
+  using R = RigidBodiesOf<3>;
+  const auto error_after_damage = [&](auto&& damage) {
+    System<3> system = with_rigid_surfaces();
+    damage(system.rigid);
+    return file_error_of([&] { read_system<3>(written(system)); });
+  };
+  EXPECT_THAT(error_after_damage([](R& r) { r.angle.pop_back(); }), HasSubstr("differ in length"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.inertia.pop_back(); }), HasSubstr("differ in length"));
+  EXPECT_THAT(error_after_damage([](R& r) { r.offset.pop_back(); }),
+              HasSubstr("rigid bodies and bodies disagree"));
+  const Mat<3> flat{{{1, 1, 0}, {1, 1, 0}, {0, 0, 1}}}, skew{{{2, 1, 0}, {0, 2, 0}, {0, 0, 2}}},
+      saddle{{{2, 0, 2}, {0, 2, 2}, {2, 2, 2}}}, negative{{{-2, 0, 0}, {0, -2, 0}, {0, 0, 2}}};
+  for (const Mat<3>& inertia : {flat, skew, saddle, negative})
+    EXPECT_THAT(error_after_damage([&](R& r) { r.inertia[1] = inertia; }),
+                HasSubstr("rigid bodies and bodies disagree"));
 }
 
 TEST_F(SystemArchive, DiscsHaveNoShapeAndNoFloor) {

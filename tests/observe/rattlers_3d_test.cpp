@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "supple/build/surfaces.hpp"
 #include "supple/contact/rough_contacts.hpp"
+#include "supple/model/rigid.hpp"
 #include "supple/observe/rattlers.hpp"
 
 namespace supple {
@@ -37,12 +39,14 @@ TEST(RattlersIn3D, ASphereIsHeldFromAllSidesOrByTwoOpposite) {
   EXPECT_TRUE(middle_rattles(cage({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}}))) << "less one";
 }
 
-/// Two equal and opposite pushes hold an icosahedron if they are along one line, and turn it if not.
+/// Two equal and opposite pushes hold an icosahedron, rigid or not, if they are along one line, and turn it
+/// if not.
 TEST(RattlersIn3D, ASurfaceIsHeldAgainstTurning) {
-  for (const bool aligned : {true, false}) {
+  for (const auto& [aligned, rigid] : {std::pair{true, false}, {false, false}, {true, true}, {false, true}}) {
     System<3> s;
     s.box.length = {40, 40, 40};
     add_surface(s, geodesic_icosahedron(12, 100), 1, ShapeSpec{});
+    if (rigid) make_rigid(s, 0);
     const std::vector<Vec3> vertex = s.state.position;
     const auto at = [&](double x, double z) {  // of the four vertices farthest along x
       return *std::max_element(vertex.begin(), vertex.end(), [&](const Vec3& a, const Vec3& b) {
@@ -54,7 +58,7 @@ TEST(RattlersIn3D, ASurfaceIsHeldAgainstTurning) {
       add_sphere_body(s, at(x, aligned ? 1 : x) + out, 1);
       s.state.mobility.back() = Mobility::fixed;
     }
-    EXPECT_EQ(middle_rattles(s), !aligned);
+    EXPECT_EQ(middle_rattles(s), !aligned) << rigid;
   }
 }
 

@@ -6,6 +6,7 @@
 #include "supple/build/surfaces.hpp"
 #include "supple/experiment/packing.hpp"
 #include "supple/model/bodies.hpp"
+#include "supple/model/rigid.hpp"
 
 namespace supple::testing {
 
@@ -20,9 +21,11 @@ double slope_at_zero(const Function& f, double step, int pairs) {
   return sum / step;
 }
 
-/// Moves every site by the strain x_i += e x_j.
+/// Moves every site by the strain x_i += e x_j; rigid bodies move with their centres.
 inline void strain_sites(System<3>& system, int i, int j, double e) {
-  for (Vec3& x : system.state.position) x[i] += e * x[j];
+  for (auto* points : {&system.state.position, &system.rigid.centre})
+    for (Vec3& x : *points) x[i] += e * x[j];
+  place_sites(system);
 }
 
 /// The same of the cell, which has its lengths and one shear.
@@ -58,7 +61,7 @@ class UnfoldedCell {
           for (int b = 0; b < bodies; ++b)
             if ((x != 0 || y != 0 || z != 0) && is_near(cell, b, shift)) add_copy(cell, b, shift);
         }
-    rest_ = system_.state.position;
+    rest_ = system_;
   }
 
   /// Energy of the contacts of one cell under this strain: of each the half for each of its bodies that is of
@@ -105,10 +108,13 @@ class UnfoldedCell {
     for (Vec3& x : mesh.vertex) x += shift;
     add_surface(system_, mesh, radius, {}, 1, std::vector<double>(mesh.face.size(), 1),
                 std::vector<double>(hinges_of(mesh).size(), 0));
+    if (std::ranges::binary_search(cell.rigid.body, b))
+      make_rigid(system_, system_.topology.body_count(system_.state.size()) - 1);
   }
 
   Records records(int i, int j, double e) {
-    system_.state.position = rest_;
+    system_.state.position = rest_.state.position;
+    system_.rigid = rest_.rigid;
     strain_sites(system_, i, j, e);
     neighbors_.update(system_);
     return contacts_->records(system_);
@@ -117,7 +123,7 @@ class UnfoldedCell {
   System<3> system_;
   Owned<BodyContacts<3>> contacts_;
   NeighborList<3> neighbors_;
-  std::vector<Vec3> rest_;
+  System<3> rest_;
   std::int32_t own_ = 0;  ///< sites of the cell itself, which come first
 };
 
