@@ -7,12 +7,11 @@
 #include <memory>
 #include <numbers>
 
+#include "../potential_map.hpp"
 #include "supple/contact/rough_contacts.hpp"
 #include "supple/contact/smooth_contacts.hpp"
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
-#include "supple/draw/canvas/color_scale.hpp"
-#include "supple/draw/canvas/ticks.hpp"
 #include "supple/force/force_field.hpp"
 #include "supple/geometry/closest_point.hpp"
 #include "supple/geometry/inside.hpp"
@@ -21,6 +20,8 @@
 namespace {
 
 using namespace supple;
+using study::DrawnMap;
+using study::MapWindow;
 
 constexpr double sigma = 0.4;
 constexpr double half_width = 1.85;  // of a map
@@ -117,18 +118,6 @@ struct Jumps {
   double energy = 0, force = 0;
 };
 
-/// The largest jump on the way from a to b: the part with the largest change is divided again and again, down
-/// to 1e-12.
-template <class Change>
-double jump_between(Vec2 a, Vec2 b, const Change& change) {
-  while (norm(b - a) > 1e-12) {
-    const Vec2 half = 0.5 * (a + b);
-    if (change(a, half) > change(half, b)) b = half;
-    else a = half;
-  }
-  return change(a, b);
-}
-
 /// Along straight lines all over the map, outside of the particle.
 Jumps largest_jumps(Map& map, Panel panel) {
   RandomStream draw(1, Purpose::test);
@@ -150,105 +139,31 @@ Jumps largest_jumps(Map& map, Panel panel) {
       const double step = norm(b - a);
       if (map.inside(a) || map.inside(b) || map.distance(a) < step || map.distance(a) > sigma + step)
         continue;
-      largest.energy = std::max(largest.energy, jump_between(a, b, energy));
-      largest.force = std::max(largest.force, jump_between(a, b, force));
+      largest.energy = std::max(largest.energy, study::jump_between(a, b, energy));
+      largest.force = std::max(largest.force, study::jump_between(a, b, force));
     }
   }
   return largest;
 }
 
-constexpr int cells = 180;
-
-/// What a panel shows: a square of the plane.
-struct Window {
-  Vec2 middle;
-  double half_width;
-};
-
-/// Energies on a grid, row by row from the top; not a number inside.
-std::vector<double> energies(Map& map, Panel panel, const Window& window) {
-  std::vector<double> values;
-  for (int row = 0; row < cells; ++row)
-    for (int column = 0; column < cells; ++column) {
-      const auto offset = [&](int k) { return window.half_width * (2 * (k + 0.5) / cells - 1); };
-      const Vec2 p = window.middle + Vec2{offset(column), -offset(row)};
-      values.push_back(map.inside(p) ? NAN : std::abs(map.at(p, panel).energy));
-    }
-  return values;
+/// Energies on a map; not a number inside.
+std::vector<double> energies(Map& map, Panel panel, const MapWindow& window) {
+  return study::sample_map(
+      window, [&](const Vec2& p) { return map.inside(p) ? NAN : std::abs(map.at(p, panel).energy); });
 }
 
-/// Lines of equal energy, cell by cell [marching squares]: where the gradient is discontinuous they have a
-/// corner.
-void draw_contours(Canvas& canvas, const std::vector<double>& values, double highest, Point corner,
-                   double cell) {
-  constexpr int lines = 10;
-  const auto value = [&](int row, int column) {
-    return values[static_cast<std::size_t>(row) * cells + column];
-  };
-  for (int line = 1; line < lines; ++line) {
-    const double level = highest * line / lines;
-    for (int row = 0; row + 1 < cells; ++row)
-      for (int column = 0; column + 1 < cells; ++column) {
-        const int at[4][2] = {{row, column}, {row, column + 1}, {row + 1, column + 1}, {row + 1, column}};
-        std::vector<Point> cuts;
-        for (int k = 0; k < 4; ++k) {
-          const int* a = at[k];
-          const int* b = at[(k + 1) % 4];
-          const double va = value(a[0], a[1]), vb = value(b[0], b[1]);
-          if (!std::isfinite(va) || !std::isfinite(vb) || (va < level) == (vb < level)) continue;
-          const double share = (level - va) / (vb - va);
-          cuts.push_back(
-              corner + cell * Point{a[1] + 0.5 + share * (b[1] - a[1]), a[0] + 0.5 + share * (b[0] - a[0])});
-        }
-        if (cuts.size() == 2) canvas.line(cuts[0], cuts[1], {.width = 0.5});
-      }
-  }
-}
-
-void draw_panel(Canvas& canvas, const Map& map, const std::vector<double>& values, const ColorScale& scale,
-                const Window& window, Point corner, double size, const std::string& title) {
-  const double cell = size / cells;
-  for (int row = 0; row < cells; ++row)
-    for (int column = 0; column < cells; ++column) {
-      const double value = values[static_cast<std::size_t>(row) * cells + column];
-      if (!(value > 0)) continue;
-      const Point low = corner + Point{column * cell, row * cell};
-      canvas.rectangle(low, low + Point{1.05 * cell, 1.05 * cell}, {.fill = scale.color(value)});
-    }
-  const auto place = [&](const Vec2& p) {
-    return corner + Point{0.5 * size * (1 + (p[0] - window.middle[0]) / window.half_width),
-                          0.5 * size * (1 - (p[1] - window.middle[1]) / window.half_width)};
-  };
-  draw_contours(canvas, values, scale.high, corner, cell);
-  const std::array<Point, 4> square{corner, corner + Point{size, 0}, corner + Point{size, size},
-                                    corner + Point{0, size}};
-  canvas.clipped(square, ClipTo::inside, [&] {
+void draw_panel(const DrawnMap& on, const Map& map, const std::vector<double>& values,
+                const ColorScale& scale, const std::string& title) {
+  on.draw_values(values, scale);
+  const double size = on.size;
+  const std::array<Point, 4> square{on.corner, on.corner + Point{size, 0}, on.corner + Point{size, size},
+                                    on.corner + Point{0, size}};
+  on.canvas.clipped(square, ClipTo::inside, [&] {
     std::vector<Point> outline;
-    for (const Vec2& p : map.ring()) outline.push_back(place(p));
-    canvas.polygon(outline, {.fill = gray, .pen = Pen{}});
+    for (const Vec2& p : map.ring()) outline.push_back(on.place(p));
+    on.canvas.polygon(outline, {.fill = gray, .pen = Pen{}});
   });
-  canvas.rectangle(corner, corner + Point{size, size}, {.pen = Pen{}});
-  canvas.text(corner + Point{0, -4}, title);
-  for (int axis : {0, 1}) {
-    const double from = (window.middle[axis] - window.half_width - middle[axis]) / sigma;
-    const double to = from + 2 * window.half_width / sigma;
-    const double step = to - from > 4 ? 2 : 0.5;
-    for (double tick = step * std::ceil(from / step); tick <= to; tick += step) {
-      const double along = size * (tick - from) / (to - from);
-      const std::string label = tick_label(tick, step < 1 ? 0.1 : 1);
-      if (axis == 0) {
-        canvas.line(corner + Point{along, size}, corner + Point{along, size + 3}, {});
-        canvas.text(corner + Point{along, size + 5}, label,
-                    {.size = 7, .across = Across::centre, .down = Down::top});
-      } else {
-        canvas.line(corner + Point{0, size - along}, corner + Point{-3, size - along}, {});
-        canvas.text(corner + Point{-5, size - along}, label,
-                    {.size = 7, .across = Across::right, .down = Down::middle});
-      }
-    }
-  }
-  canvas.text(corner + Point{0.5 * size, size + 22}, "x/σ", {.across = Across::centre});
-  canvas.text(corner + Point{-20, 0.5 * size}, "y/σ", {.across = Across::centre, .turn = Turn::left});
+  on.draw_frame(title, middle, sigma, "x/σ", "y/σ");
 }
 
 /// The corner with the sharpest concave angle.
@@ -267,14 +182,14 @@ Vec2 concave_corner(const std::vector<Vec2>& ring) {
 /// One potential in one part of the plane.
 struct Drawn {
   Panel panel;
-  Window window;
+  MapWindow window;
   std::string title;
 };
 
 void draw(Map& map, const std::string& path) {
-  const Window all{middle, half_width};
+  const MapWindow all{middle, half_width};
   const Vec2 corner = concave_corner(map.ring());
-  const Window near{corner + sigma / norm(corner - middle) * 0.5 * (corner - middle), 0.75 * sigma};
+  const MapWindow near{corner + sigma / norm(corner - middle) * 0.5 * (corner - middle), 0.75 * sigma};
   const std::vector<Drawn> maps{{rough, all, "(a) rough"},
                                 {minimum_distance, all, "(b) minimum distance"},
                                 {smooth, all, "(c) smooth = (d) + (e) + (f)"},
@@ -293,9 +208,11 @@ void draw(Map& map, const std::string& path) {
   const double size = 150, across = 185, down = 195;
   Canvas canvas(path, 30 + 3 * across + 45, 3 * down + 15, 200);
   for (std::size_t k = 0; k < maps.size(); ++k)
-    draw_panel(canvas, map, values[k], scale, maps[k].window,
-               {30 + static_cast<double>(k % 3) * across, 20 + static_cast<double>(k / 3) * down}, size,
-               maps[k].title);
+    draw_panel({canvas,
+                maps[k].window,
+                {30 + static_cast<double>(k % 3) * across, 20 + static_cast<double>(k / 3) * down},
+                size},
+               map, values[k], scale, maps[k].title);
   draw_color_bar(canvas, {30 + 3 * across - 18, 45}, 400, scale, "U/(kσ²)", "");
   canvas.finish();
 }
