@@ -21,9 +21,7 @@ N = 4
 vertices = 12
 [jamming]
 pressure = 1e-3
-search = "root"
-step = 0.02
-packing_fraction = 0.3
+packing_fraction = 0.05
 )";
 
 class SolidRun : public ContinuedRun {
@@ -51,6 +49,7 @@ TEST_F(SolidRun, ItsFileHoldsWhatItEndedWith) {
   EXPECT_EQ(file.dimensions(), 3);
   EXPECT_EQ(file.status(), "complete");
   const auto [system, evaluation] = file.final_state<3>();
+  drop_open(memory.last_system.pairs, memory.last_system.state.size());  // as files do
   expect_same(system, memory.last_system);
   EXPECT_TRUE(same_bits(evaluation.force, memory.last_evaluation.force));
   const RunInfo<3> info = file.info<3>();
@@ -136,15 +135,15 @@ TEST_F(SolidRun, MistakesInItsCaseAreNamed) {
   EXPECT_THAT(error_of("experiment = \"jamming\"\n[bodies]\ndim = 4\n"), HasSubstr("dim"));
 }
 
-/// Numbers that a run tells before it begins are those of its packing.
+/// Numbers that a run tells before it begins are those of its packing, but for the error of covered volumes.
 TEST_F(SolidRun, NumbersBeforeItAreThoseOfItsStart) {
   for (const std::string more : {"", "family = \"sphere\"\n", "family = \"droplet\"\nsize_ratio = 2\n"}) {
     const Case c = case_of("experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 8\n" + more +
                            "[jamming]\npacking_fraction = 0.2\n");
     const Packing<3> apart = make_packing<3>(c, nullptr, 0.2, set_apart),
                      random = make_packing<3>(c, nullptr, 0.2);
-    EXPECT_NEAR(apart.covered_area, random.covered_area, 1e-6 * random.covered_area) << more;
-    EXPECT_NEAR(random.covered_area / random.cell.volume(), 0.2, 1e-6) << more;
+    EXPECT_NEAR(apart.covered_area, random.covered_area, 2e-4 * random.covered_area) << more;
+    EXPECT_NEAR(random.covered_area / random.cell.volume(), 0.2, 4e-5) << more;
     EXPECT_EQ(apart.cell.length, random.cell.length);
     EXPECT_EQ(apart.pressure_unit, random.pressure_unit);
     EXPECT_EQ(apart.system.state.radius, random.system.state.radius);
