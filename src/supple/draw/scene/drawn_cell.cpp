@@ -75,6 +75,17 @@ std::vector<Vec2> neighbour_cells(const Box<2>& box) {
   return shifts;
 }
 
+std::vector<Vec3> neighbour_cells(const Box<3>& box) {
+  const auto far = [&](int d) { return !box.periodic[d] ? 0 : d == flow ? 2 : 1; };
+  std::vector<Vec3> shifts{{0, 0, 0}};
+  for (int r = -far(2); r <= far(2); ++r)
+    for (int q = -far(gradient); q <= far(gradient); ++q)
+      for (int p = -far(flow); p <= far(flow); ++p)
+        if (p != 0 || q != 0 || r != 0)
+          shifts.push_back(drawn_lattice(box).vector({1.0 * p, 1.0 * q, 1.0 * r}));
+  return shifts;
+}
+
 template double drawn_strain(const Box<2>&);
 template double drawn_strain(const Box<3>&);
 template Vec2 into_cell(const Box<2>&, Vec2);

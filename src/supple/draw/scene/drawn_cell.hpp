@@ -33,5 +33,6 @@ Vec<Dim> into_cell(const Box<Dim>& box, Vec<Dim> x);
 
 /// Lattice vectors to this cell (zero, first) and to the neighbouring cells that may show beside it.
 std::vector<Vec2> neighbour_cells(const Box<2>& box);
+std::vector<Vec3> neighbour_cells(const Box<3>& box);
 
 }  // namespace supple

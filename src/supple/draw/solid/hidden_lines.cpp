@@ -106,4 +106,24 @@ std::vector<std::pair<double, double>> visible_parts(const SolidScene& scene, co
   return visible;
 }
 
+std::vector<std::pair<double, double>> uncovered_parts(const SolidImage& image, const Vec2& a,
+                                                       const Vec2& b) {
+  const auto is_covered = [&](double share) {
+    const Vec2 at = a + share * (b - a);
+    const double x = std::floor(at[0]), y = std::floor(at[1]);
+    if (!(0 <= x && x < image.width && 0 <= y && y < image.height)) return false;
+    return image.covered[static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x)] >= 8;
+  };
+  const int steps = std::max(1, static_cast<int>(2 * norm(b - a)));
+  std::vector<std::pair<double, double>> parts;
+  bool goes_on = false;
+  for (int k = 0; k < steps; ++k) {
+    const bool is_shown = !is_covered((k + 0.5) / steps);
+    if (is_shown && !goes_on) parts.emplace_back(1.0 * k / steps, 0);
+    if (is_shown) parts.back().second = (k + 1.0) / steps;
+    goes_on = is_shown;
+  }
+  return parts;
+}
+
 }  // namespace supple

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "supple/draw/solid/solid_image.hpp"
 #include "supple/draw/solid/solid_scene.hpp"
 #include "supple/draw/solid/view.hpp"
 
@@ -13,5 +14,9 @@ namespace supple {
 /// shape.
 std::vector<std::pair<double, double>> visible_parts(const SolidScene& scene, const ViewAxes& axes,
                                                      const Vec3& a, const Vec3& b);
+
+/// The parts of a line between two points of an image [pixel] where more than half of its pixels is white; to
+/// half a pixel.
+std::vector<std::pair<double, double>> uncovered_parts(const SolidImage& image, const Vec2& a, const Vec2& b);
 
 }  // namespace supple

@@ -11,7 +11,7 @@ namespace supple {
 /// share that comes from everywhere, and the cosine to the light, which comes from the viewer's upper left
 /// [Lambert 1760].
 inline double brightness(const Vec3& normal) {
-  constexpr double everywhere = 0.5;
+  constexpr double everywhere = 0.6;
   constexpr Vec3 light{-0.40, 0.56, 0.725};  // of length 1 to three digits
   const double length = norm(normal);
   const double cosine = length > 0 ? dot(light, normal) / length : 0;

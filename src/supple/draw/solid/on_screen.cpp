@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "supple/draw/solid/cell_planes.hpp"
+#include "supple/draw/solid/light.hpp"
 #include "supple/draw/solid/vertex_normals.hpp"
 
 namespace supple {
@@ -31,10 +34,29 @@ OnScreen::OnScreen(const SolidScene& scene, const SolidWindow& window, int sampl
   for (const Vec3& x : scene.vertex) vertex_.push_back(on_screen(x));
   if (shading == Shading::smooth) normal_ = vertex_normals(scene);
   for (Vec3& n : normal_) n = window.axes.of(n);
-  for (const SolidTriangle& t : scene.triangle) particle_.push_back(t.particle);
+  for (const SolidTriangle& t : scene.triangle) body_.push_back(t.body);
   for (const SolidSphere& s : scene.sphere) {
     sphere_.push_back({on_screen(s.centre), scale * s.radius});
-    particle_.push_back(s.particle);
+    body_.push_back(s.body);
+  }
+  order_.resize(body_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::ranges::stable_sort(order_, {}, [&](std::int32_t s) { return body_[s]; });
+  if (scene.images == Images::whole) return;
+  for (const CellPlane& plane : cell_planes(scene.box)) {
+    if (!scene.box.periodic[plane.direction]) continue;
+    constexpr double along = 1e-9;  // a side at less than this angle to the view is seen as a line
+    const Vec3 n = window.axes.of(plane.normal);
+    // The plane is n . (x/scale + left, top - y/scale, depth/scale + middle) = level.
+    const double rest = n[0] * window.left + n[1] * window.top + n[2] * middle - plane.level;
+    if (std::abs(n[2]) < along) {
+      cuts_.push_back({ScreenCut::Lies::along, scale * rest, {n[0], -n[1]}, 1});
+    } else {
+      cuts_.push_back({n[2] > 0 ? ScreenCut::Lies::near : ScreenCut::Lies::far,
+                       -scale * rest / n[2],
+                       {-n[0] / n[2], n[1] / n[2]},
+                       brightness(n)});
+    }
   }
 }
 
@@ -47,6 +69,7 @@ ScreenTriangle OnScreen::triangle(int shape) const {
   const double area = b[0] * c[1] - b[1] * c[0];  // twice
   t.is_seen = area != 0 && std::isfinite(1 / area);
   if (!t.is_seen) return t;
+  t.is_outside = area < 0;  // counter-clockwise as y goes down
   // A number that is b's at b, c's at c and 0 at corner 0 changes by this along x and along y.
   const auto slope = [&](double at_b, double at_c) {
     return Vec2{(at_b * c[1] - at_c * b[1]) / area, (at_c * b[0] - at_b * c[0]) / area};
@@ -57,7 +80,7 @@ ScreenTriangle OnScreen::triangle(int shape) const {
   const Vec3 facing{-t.slope[0], t.slope[1], 1};  // y is down, up is up
   t.normal = (1 / norm(facing)) * facing;
   if (shading_ == Shading::flat) return t;
-  const double side = area < 0 ? 1 : -1;  // counter-clockwise as y goes down: the outside is seen
+  const double side = t.is_outside ? 1 : -1;
   std::array<Vec3, 3> n;
   for (int k = 0; k < 3; ++k) {
     n[k] = side * normal_[v[k]];

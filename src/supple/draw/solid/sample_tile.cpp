@@ -34,23 +34,80 @@ void cross_side(const Vec3& a, const Vec3& b, double row, Span& span) {
   span.include(std::clamp(x, std::min(upper[0], lower[0]), std::max(upper[0], lower[0])));
 }
 
+/// Covers a row of samples from arrays of their depths.
+void cover_row(int count, const float* z, std::int32_t shape, float* depth, std::int32_t* shown) {
+  for (int i = 0; i < count; ++i) {
+    const bool is_nearer = z[i] > depth[i];
+    depth[i] = is_nearer ? z[i] : depth[i];
+    shown[i] = is_nearer ? shape : shown[i];
+  }
+}
+
 }  // namespace
 
 SampleTile::SampleTile(int size)
-    : size_(size), depth_(static_cast<std::size_t>(size) * size), shape_(depth_.size()) {}
+    : size_(size), depth_(static_cast<std::size_t>(size) * size), shape_(depth_.size()), row_(size) {}
 
-void SampleTile::move_to(int left, int top) {
+void SampleTile::move_to(int left, int top, std::span<const ScreenCut> cuts) {
+  constexpr float none = std::numeric_limits<float>::infinity();
   left_ = left;
   top_ = top;
-  std::ranges::fill(depth_, -std::numeric_limits<float>::infinity());
+  std::ranges::fill(depth_, -none);
   std::ranges::fill(shape_, -1);
+  if (cuts.empty()) return;
+  near_.assign(depth_.size(), none);
+  far_.assign(depth_.size(), -none);
+  side_.assign(depth_.size(), 0);
+  inside_.assign(depth_.size(), 0);
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    for (int j = 0; j < size_; ++j)
+      for (int i = 0; i < size_; ++i) {
+        const std::size_t s = at(i, j);
+        const float beyond = as_float(cuts[k].beyond(left + i + 0.5, top + j + 0.5));
+        if (cuts[k].lies == ScreenCut::Lies::far) far_[s] = std::max(far_[s], beyond);
+        if (cuts[k].lies == ScreenCut::Lies::along && beyond > 0) far_[s] = none;
+        if (cuts[k].lies == ScreenCut::Lies::near && beyond < near_[s]) {
+          near_[s] = beyond;
+          side_[s] = static_cast<std::uint8_t>(k);
+        }
+      }
 }
 
-int SampleTile::first_at(double low, int origin) const {
-  return static_cast<int>(std::clamp(std::ceil(low - 0.5 - origin), 0.0, 1.0 * size_));
+int SampleTile::first_at(double place, int origin) const {
+  return static_cast<int>(std::clamp(std::ceil(place - 0.5 - origin), 0.0, 1.0 * size_));
 }
-int SampleTile::end_at(double high, int origin) const {
-  return static_cast<int>(std::clamp(std::floor(high - 0.5 - origin) + 1, 0.0, 1.0 * size_));
+
+void SampleTile::touch(int first_row, int end_row) {
+  if (first_row >= end_row) return;
+  const bool is_first = first_row_ >= end_row_;
+  first_row_ = is_first ? first_row : std::min(first_row_, first_row);
+  end_row_ = is_first ? end_row : std::max(end_row_, end_row);
+}
+
+/// A surface through these depths in the row, that the viewer sees from outside (+1) or from inside (-1).
+void SampleTile::cover(int first, int j, int count, int sees, std::int32_t shape) {
+  const std::size_t begin = at(first, j);
+  if (!is_cut()) return cover_row(count, row_.data(), shape, &depth_[begin], &shape_[begin]);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t s = begin + i;
+    if (row_[i] < near_[s]) inside_[s] = static_cast<std::int16_t>(inside_[s] - sees);
+    if (far_[s] <= row_[i] && row_[i] <= near_[s] && row_[i] > depth_[s]) {
+      depth_[s] = row_[i];
+      shape_[s] = shape;
+    }
+  }
+}
+
+void SampleTile::cover_cut(std::int32_t shape) {
+  for (int j = first_row_; j < end_row_ && is_cut(); ++j)
+    for (std::size_t s = at(0, j); s < at(0, j + 1); ++s) {
+      if (inside_[s] > 0 && far_[s] <= near_[s] && near_[s] > depth_[s]) {
+        depth_[s] = near_[s];
+        shape_[s] = shape;
+      }
+      inside_[s] = 0;
+    }
+  first_row_ = end_row_ = 0;
 }
 
 void SampleTile::cover(const ScreenTriangle& t, std::int32_t shape) {
@@ -60,47 +117,45 @@ void SampleTile::cover(const ScreenTriangle& t, std::int32_t shape) {
   // Near its sides the plane of a triangle that is seen at a slant goes beyond its corners, by rounding.
   const float farthest = static_cast<float>(t.farthest), nearest = static_cast<float>(t.nearest);
   const float slope = as_float(t.slope[0]);
-  const int end = end_at(low, top_);
-  for (int j = first_at(high, top_); j < end; ++j) {
+  const int first_row = first_at(high, top_), end = first_at(low, top_);
+  touch(first_row, end);
+  for (int j = first_row; j < end; ++j) {
     const double y = top_ + j + 0.5;
     Span span;
     cross_side(a, b, y, span);
     cross_side(b, c, y, span);
     cross_side(c, a, y, span);
-    const int first = first_at(span.low, left_), count = end_at(span.high, left_) - first;
+    const int first = first_at(span.low, left_), count = first_at(span.high, left_) - first;
     if (count <= 0) continue;
     const float begin = as_float(t.depth(left_ + first + 0.5, y));
-    float* depth = &depth_[at(first, j)];
-    std::int32_t* shown = &shape_[at(first, j)];
-    for (int i = 0; i < count; ++i) {
-      const float z = std::min(std::max(begin + slope * static_cast<float>(i), farthest), nearest);
-      const bool is_nearer = z > depth[i];
-      depth[i] = is_nearer ? z : depth[i];
-      shown[i] = is_nearer ? shape : shown[i];
-    }
+    for (int i = 0; i < count; ++i)
+      row_[i] = std::min(std::max(begin + slope * static_cast<float>(i), farthest), nearest);
+    cover(first, j, count, t.is_outside ? 1 : -1, shape);
   }
 }
 
 void SampleTile::cover(const ScreenSphere& s, std::int32_t shape) {
-  const int end = end_at(s.centre[1] + s.radius, top_);
-  for (int j = first_at(s.centre[1] - s.radius, top_); j < end; ++j) {
+  const int first_row = first_at(s.centre[1] - s.radius, top_), end = first_at(s.centre[1] + s.radius, top_);
+  touch(first_row, end);
+  const float middle = static_cast<float>(s.centre[2]);
+  for (int j = first_row; j < end; ++j) {
     const double y = top_ + j + 0.5 - s.centre[1], half = s.radius * s.radius - y * y;
     if (half < 0) continue;
     const double reach = std::sqrt(half);
     const int first = first_at(s.centre[0] - reach, left_);
-    const int count = end_at(s.centre[0] + reach, left_) - first;
+    const int count = first_at(s.centre[0] + reach, left_) - first;
     if (count <= 0) continue;
     const float begin = static_cast<float>(left_ + first + 0.5 - s.centre[0]);
-    const float square = static_cast<float>(half), middle = static_cast<float>(s.centre[2]);
-    float* depth = &depth_[at(first, j)];
-    std::int32_t* shown = &shape_[at(first, j)];
-    for (int i = 0; i < count; ++i) {
-      const float x = begin + static_cast<float>(i);
-      const float z = middle + std::sqrt(std::max(square - x * x, 0.0f));
-      const bool is_nearer = z > depth[i];
-      depth[i] = is_nearer ? z : depth[i];
-      shown[i] = is_nearer ? shape : shown[i];
-    }
+    const float square = static_cast<float>(half);
+    const auto fill = [&](float way) {
+      for (int i = 0; i < count; ++i) {
+        const float x = begin + static_cast<float>(i);
+        row_[i] = middle + way * std::sqrt(std::max(square - x * x, 0.0f));
+      }
+      cover(first, j, count, static_cast<int>(way), shape);
+    };
+    fill(1);
+    if (is_cut()) fill(-1);
   }
 }
 

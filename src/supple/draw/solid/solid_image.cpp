@@ -33,7 +33,7 @@ struct Bins {
         down((window.height + tile_pixels - 1) / tile_pixels),
         begin(static_cast<std::size_t>(across) * down + 1, 0) {
     const auto each = [&](auto&& visit) {
-      for (std::int32_t s = 0; s < screen.shapes(); ++s) {
+      for (const std::int32_t s : screen.in_order()) {
         const Bounds b = screen.bounds(s).grown(rim + 1);
         const auto tile = [&](double x, int count) {
           return static_cast<int>(std::clamp(std::floor(x / (tile_pixels * samples)), -1.0, 1.0 * count));
@@ -87,7 +87,16 @@ class TilePainter {
   /// To be called when the tile shows something else.
   void begin() { mark_outlines(); }
 
-  /// The pixel whose first sample is in column i of row j.
+  /// Paints pixel p, whose first sample is in column i of row j.
+  void paint(int i, int j, SolidImage& image, std::size_t p) {
+    int covered = 0;
+    for (int y = j; y < j + samples; ++y)
+      for (int x = i; x < i + samples; ++x) covered += tile_.shape(x, y) >= 0;
+    image.covered[p] = static_cast<std::uint8_t>(covered);
+    image.pixel[p] = pixel(i, j);
+  }
+
+ private:
   std::uint32_t pixel(int i, int j) {
     lit_ = -1;
     if (const auto even = even_pixel(i, j)) return *even;
@@ -101,7 +110,6 @@ class TilePainter {
     return packed(sum);
   }
 
- private:
   /// The pixel where one shape covers all of it and nothing is drawn on that.
   std::optional<std::uint32_t> even_pixel(int i, int j) {
     const std::int32_t shape = tile_.shape(i, j);
@@ -122,7 +130,9 @@ class TilePainter {
   void light(std::int32_t shape, double i, double j) {
     const double x = tile_.left() + i, y = tile_.top() + j;
     lit_ = shape;
-    if (screen_.is_triangle(shape)) {
+    if (screen_.is_cut(shape)) {
+      bright_ = screen_.cuts()[tile_.side(static_cast<int>(i), static_cast<int>(j))].light;
+    } else if (screen_.is_triangle(shape)) {
       if (shape != known_) triangle_ = screen_.triangle(known_ = shape);
       bright_ = brightness(triangle_.normal_at(x, y));
     } else {
@@ -145,6 +155,10 @@ class TilePainter {
                0.5 * samples * style_.edge_width;
   }
 
+  /// What gets an outline: a body, or where it is cut.
+  std::int32_t owner(std::int32_t shape) const {
+    return shape < 0 ? -1 : screen_.is_cut(shape) ? shape : screen_.body(shape);
+  }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(j) * tile_.size() + i; }
 
   /// Marks the samples of a particle that are near to where a farther one, or nothing, shows.
@@ -153,8 +167,7 @@ class TilePainter {
     std::ranges::fill(is_outline_, 0);
     if (style_.outline_width <= 0) return;
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        owner_[at(i, j)] = tile_.shape(i, j) < 0 ? -1 : screen_.particle(tile_.shape(i, j));
+      for (int i = 0; i < n; ++i) owner_[at(i, j)] = owner(tile_.shape(i, j));
     for (int j = 0; j < n; ++j) {
       const std::int32_t *row = &owner_[at(0, j)], *next = j + 1 < n ? row + n : row;
       int changes = 0;
@@ -167,15 +180,18 @@ class TilePainter {
     }
   }
   void mark_between(int i, int j, int k, int l) {
-    tile_.depth(i, j) > tile_.depth(k, l) ? mark_about(i, j) : mark_about(k, l);
+    const float a = tile_.depth(i, j), b = tile_.depth(k, l);
+    constexpr float level = samples;  // where bodies go through each other the line keeps to one of them
+    const bool is_first = std::abs(a - b) < level ? owner_[at(i, j)] < owner_[at(k, l)] : a > b;
+    is_first ? mark_about(i, j) : mark_about(k, l);
   }
   void mark_about(int i, int j) {
-    const std::int32_t particle = owner_[at(i, j)];
+    const std::int32_t own = owner_[at(i, j)];
     const double reach = samples * style_.outline_width - 0.5;
     const int r = static_cast<int>(reach), last = tile_.size() - 1;
     for (int y = std::max(j - r, 0); y <= std::min(j + r, last); ++y)
       for (int x = std::max(i - r, 0); x <= std::min(i + r, last); ++x)
-        if ((x - i) * (x - i) + (y - j) * (y - j) <= reach * reach && owner_[at(x, y)] == particle)
+        if ((x - i) * (x - i) + (y - j) * (y - j) <= reach * reach && owner_[at(x, y)] == own)
           is_outline_[at(x, y)] = 1;
   }
 
@@ -184,7 +200,7 @@ class TilePainter {
   const SolidStyle& style_;
   const SampleTile& tile_;
   std::vector<std::uint8_t> is_outline_;  ///< of each sample
-  std::vector<std::int32_t> owner_;       ///< the particle that shows; -1: none
+  std::vector<std::int32_t> owner_;       ///< the body that shows; -1: none
   std::int32_t known_ = -1, lit_ = -1;    ///< the shape of triangle_, and that of bright_
   ScreenTriangle triangle_;
   double bright_ = 0;
@@ -208,22 +224,28 @@ SolidImage draw_solid(const SolidScene& scene, std::span<const Color> color, con
   const int rim =
       style.outline_width > 0 ? static_cast<int>(std::ceil(samples * style.outline_width)) + 1 : 0;
   const Bins bins(screen, window, rim);
-  SolidImage image{{}, window.width, window.height};
+  SolidImage image{{}, {}, window.width, window.height};
   image.pixel.resize(static_cast<std::size_t>(window.width) * window.height);
+  image.covered.resize(image.pixel.size());
   for_parts(bins.down, [&](std::int64_t row) {
     SampleTile tile(tile_pixels * samples + 2 * rim);
     TilePainter painter(screen, color, style, tile);
     for (int column = 0; column < bins.across; ++column) {
       const int left = column * tile_pixels, top = static_cast<int>(row) * tile_pixels;
-      tile.move_to(left * samples - rim, top * samples - rim);
-      for (const std::int32_t shape : bins.shapes(column, static_cast<int>(row)))
+      tile.move_to(left * samples - rim, top * samples - rim, screen.cuts());
+      std::int32_t body = -1;
+      for (const std::int32_t shape : bins.shapes(column, static_cast<int>(row))) {
+        if (body >= 0 && body != screen.body(shape)) tile.cover_cut(screen.cut_of(body));
+        body = screen.body(shape);
         screen.is_triangle(shape) ? tile.cover(screen.triangle(shape), shape)
                                   : tile.cover(screen.sphere(shape), shape);
+      }
+      if (body >= 0) tile.cover_cut(screen.cut_of(body));
       painter.begin();
       for (int y = 0; y < std::min(tile_pixels, window.height - top); ++y)
         for (int x = 0; x < std::min(tile_pixels, window.width - left); ++x)
-          image.pixel[static_cast<std::size_t>(top + y) * window.width + left + x] =
-              painter.pixel(rim + x * samples, rim + y * samples);
+          painter.paint(rim + x * samples, rim + y * samples, image,
+                        static_cast<std::size_t>(top + y) * window.width + left + x);
     }
   });
   return image;

@@ -29,9 +29,10 @@ struct SolidStyle {
   double outline_width = 1;  ///< of lines round what shows of each particle
 };
 
-/// Opaque pixels 0x00RRGGBB.
+/// Opaque pixels 0x00RRGGBB in rows.
 struct SolidImage {
   std::vector<std::uint32_t> pixel;
+  std::vector<std::uint8_t> covered;  ///< of the 16 points of each pixel, those at which a particle shows
   int width = 0, height = 0;
 
   PixelRows rows() const {

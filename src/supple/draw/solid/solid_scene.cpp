@@ -12,6 +12,7 @@
 #include "supple/core/error.hpp"
 #include "supple/draw/scene/colors_apart.hpp"
 #include "supple/draw/scene/drawn_cell.hpp"
+#include "supple/draw/solid/cell_planes.hpp"
 #include "supple/draw/solid/vertex_normals.hpp"
 
 namespace supple {
@@ -51,7 +52,7 @@ void check_arrays(const Topology<3>& topology, std::size_t positions, std::size_
       throw input_error(what, "a triangle names a site that is not there");
 }
 
-/// A sphere about each particle: the middle of the bounds of its vertices, and how far it reaches from there.
+/// A sphere about each body: the middle of the bounds of its vertices, and how far it reaches from there.
 struct Ball {
   BoundsOf<3> bounds;
   double reach = 0;
@@ -60,16 +61,62 @@ struct Ball {
 
 std::vector<Ball> balls_about(const SolidScene& scene) {
   constexpr double far = std::numeric_limits<double>::max();
-  std::vector<Ball> ball(scene.particles, Ball{{{far, far, far}, {-far, -far, -far}}});
+  std::vector<Ball> ball(scene.particle.size(), Ball{{{far, far, far}, {-far, -far, -far}}});
   const auto each_corner = [&](auto&& visit) {
     for (const SolidTriangle& t : scene.triangle)
-      for (const std::int32_t v : t.vertex) visit(ball[t.particle], scene.vertex[v], 0.0);
-    for (const SolidSphere& s : scene.sphere) visit(ball[s.particle], s.centre, s.radius);
+      for (const std::int32_t v : t.vertex) visit(ball[t.body], scene.vertex[v], 0.0);
+    for (const SolidSphere& s : scene.sphere) visit(ball[s.body], s.centre, s.radius);
   };
   each_corner([](Ball& b, const Vec3& x, double r) { b.bounds.include(BoundsOf<3>{x, x}.grown(r)); });
   each_corner(
       [](Ball& b, const Vec3& x, double r) { b.reach = std::max(b.reach, norm(x - b.centre()) + r); });
   return ball;
+}
+
+/// The sides of the cell in its periodic directions.
+std::vector<CellPlane> periodic_sides(const Box<3>& box) {
+  std::vector<CellPlane> sides = cell_planes(box);
+  std::erase_if(sides, [&](const CellPlane& p) { return !box.periodic[p.direction]; });
+  return sides;
+}
+
+/// Adds the images of all bodies that reach into the cell.
+void add_images(SolidScene& scene) {
+  const std::vector<CellPlane> sides = periodic_sides(scene.box);
+  const std::vector<Ball> ball = balls_about(scene);
+  std::vector<std::vector<Vec3>> shifts(ball.size());  // of the images of each body
+  for (const Vec3& shift : neighbour_cells(scene.box))
+    for (std::size_t b = 0; b < ball.size(); ++b)
+      if (shift != Vec3{} && std::ranges::all_of(sides, [&](const CellPlane& p) {
+            return dot(p.normal, ball[b].centre() + shift) < p.level + ball[b].reach;
+          }))
+        shifts[b].push_back(shift);
+  const auto copy = [&](auto& shapes, auto&& copied) {
+    std::vector<std::int32_t> first(ball.size());  // the body of the first image
+    for (std::size_t b = 0, next = ball.size(); b < ball.size(); next += shifts[b++].size())
+      first[b] = static_cast<std::int32_t>(next);
+    const std::size_t count = shapes.size();
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t i = 0; i < shifts[shapes[k].body].size(); ++i) {
+        auto shape = shapes[k];
+        const Vec3& shift = shifts[shape.body][i];
+        shape.body = first[shape.body] + static_cast<std::int32_t>(i);
+        copied(shape, shift);
+        shapes.push_back(shape);
+      }
+  };
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> moved;  // vertex and body: the vertex there
+  copy(scene.triangle, [&](SolidTriangle& t, const Vec3& shift) {
+    for (std::int32_t& v : t.vertex) {
+      const auto [at, is_new] =
+          moved.try_emplace({t.body, v}, static_cast<std::int32_t>(scene.vertex.size()));
+      if (is_new) scene.vertex.push_back(scene.vertex[v] + shift);
+      v = at->second;
+    }
+  });
+  copy(scene.sphere, [](SolidSphere& s, const Vec3& shift) { s.centre += shift; });
+  for (std::size_t b = 0; b < ball.size(); ++b)
+    scene.particle.insert(scene.particle.end(), shifts[b].size(), scene.particle[b]);
 }
 
 /// Adds which particles are close to each other in this scene.
@@ -86,21 +133,25 @@ void add_neighbours(const SolidScene& scene, std::map<std::int32_t, std::set<std
     for (std::size_t j = i + 1; j < order.size() && low(order[j]) < low(order[i]) + widest; ++j) {
       const Ball &a = ball[order[i]], &b = ball[order[j]];
       if (norm(a.centre() - b.centre()) > tolerance * (a.reach + b.reach)) continue;
-      close[order[i]].insert(order[j]);
-      close[order[j]].insert(order[i]);
+      const std::int32_t p = scene.particle[order[i]], q = scene.particle[order[j]];
+      if (p == q) continue;
+      close[p].insert(q);
+      close[q].insert(p);
     }
 }
 
 }  // namespace
 
 SolidScene solid_scene_of(const Box<3>& box, const Topology<3>& topology, std::span<const Vec3> position,
-                          std::span<const double> radius, Skin skin) {
+                          std::span<const double> radius, Images images, Skin skin) {
   check_arrays(topology, position.size(), radius.size());
   SolidScene scene;
   scene.box = box;
+  scene.images = images;
   scene.particles = topology.body_count(static_cast<int>(position.size()));
   scene.vertex.assign(position.begin(), position.end());
   for (std::int32_t b = 0; b < scene.particles; ++b) {
+    scene.particle.push_back(b);
     const int first = topology.body_begin(b), size = topology.body_size(b);
     const std::span<Vec3> sites = std::span(scene.vertex).subspan(first, size);
     const Vec3 shift = shift_home(box, sites);
@@ -112,12 +163,13 @@ SolidScene solid_scene_of(const Box<3>& box, const Topology<3>& topology, std::s
       scene.triangle.push_back({topology.facet[f], b});
   }
   if (skin == Skin::inflated) inflate(scene, radius);
+  if (images == Images::cut) add_images(scene);
   return scene;
 }
 
-SolidScene solid_scene_of(const System<3>& system, Skin skin) {
+SolidScene solid_scene_of(const System<3>& system, Images images, Skin skin) {
   SolidScene scene =
-      solid_scene_of(system.box, system.topology, system.state.position, system.state.radius, skin);
+      solid_scene_of(system.box, system.topology, system.state.position, system.state.radius, images, skin);
   scene.time = system.time;
   return scene;
 }
@@ -125,20 +177,21 @@ SolidScene solid_scene_of(const System<3>& system, Skin skin) {
 void check_scene(const SolidScene& scene, const std::string& path) {
   const std::string what = "cannot draw '" + path + "'";
   if (scene.triangle.empty() && scene.sphere.empty()) throw input_error(what, "it has no particles");
-  const auto is_particle = [&](std::int32_t p) { return 0 <= p && p < scene.particles; };
+  const auto is_body = [&](std::int32_t b) { return 0 <= b && b < static_cast<int>(scene.particle.size()); };
+  for (const std::int32_t p : scene.particle)
+    if (p < 0 || p >= scene.particles) throw input_error(what, "a body is of a particle that is not there");
   const auto vertices = static_cast<std::int32_t>(scene.vertex.size());
   for (std::size_t k = 0; k < scene.triangle.size(); ++k) {
     const SolidTriangle& t = scene.triangle[k];
-    if (!is_particle(t.particle) ||
+    if (!is_body(t.body) ||
         !std::ranges::all_of(t.vertex, [&](std::int32_t v) { return 0 <= v && v < vertices; }))
-      throw input_error(what, fmt::format("triangle {} names a vertex or a particle that is not there", k));
+      throw input_error(what, fmt::format("triangle {} names a vertex or a body that is not there", k));
   }
   for (std::int32_t v = 0; v < vertices; ++v)
     if (!is_finite(scene.vertex[v])) throw input_error(what, fmt::format("vertex {} is not finite", v));
   for (std::size_t k = 0; k < scene.sphere.size(); ++k) {
     const SolidSphere& s = scene.sphere[k];
-    if (!is_particle(s.particle))
-      throw input_error(what, fmt::format("sphere {} is of a particle that is not there", k));
+    if (!is_body(s.body)) throw input_error(what, fmt::format("sphere {} is of a body that is not there", k));
     if (!is_finite(s.centre) || !std::isfinite(s.radius) || s.radius < 0)
       throw input_error(what, fmt::format("sphere {} has a centre or radius that cannot be", k));
   }

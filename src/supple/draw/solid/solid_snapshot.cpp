@@ -10,6 +10,7 @@
 #include "supple/draw/page/cell_page.hpp"
 #include "supple/draw/page/legend.hpp"
 #include "supple/draw/scene/drawn_cell.hpp"
+#include "supple/draw/solid/cell_planes.hpp"
 #include "supple/draw/solid/hidden_lines.hpp"
 
 namespace supple {
@@ -74,6 +75,9 @@ class SolidPage : PageMargins {
     return corner() + scale_ * Vec2{at[0] - shown_.low[0], shown_.high[1] - at[1]};
   }
 
+  /// In pixels of the image.
+  Vec2 pixel_of(const Vec3& x) const { return (dots_ / 72) * (on_page(x) - corner()); }
+
   void choose_colors() {
     color_ = options_.color;
     if (options_.scalar) {
@@ -95,21 +99,33 @@ class SolidPage : PageMargins {
                              pixels(size_[0]),
                              pixels(size_[1])};
     const double edges = options_.edges == TriangleEdges::drawn ? triangle_edge : 0;
-    const SolidImage image =
-        draw_solid(scene_, color_, window, {options_.shading, edges * per_point, outline * per_point});
-    canvas_.image(corner(), image.rows(), dots_);
+    image_ = draw_solid(scene_, color_, window, {options_.shading, edges * per_point, outline * per_point});
+    canvas_.image(corner(), image_.rows(), dots_);
+  }
+
+  /// The edge of the cell from corner k along direction d: where particles are cut it has them all behind it
+  /// or all in front.
+  std::vector<std::pair<double, double>> shown_parts(const Vec3& a, const Vec3& b, bool is_behind) const {
+    if (scene_.images == Images::whole) return visible_parts(scene_, axes_, a, b);
+    return is_behind ? uncovered_parts(image_, pixel_of(a), pixel_of(b))
+                     : std::vector<std::pair<double, double>>{{0, 1}};
   }
 
   /// Edges between sides that are not periodic are dotted.
   void draw_cell() {
     const std::array<Vec3, 8> at = cell_corners(scene_.box);
+    const std::vector<CellPlane> planes = cell_planes(scene_.box);
     const Pen line{ink, 0.8}, open{gray, 0.6, {2, 3}};
     for (int d = 0; d < 3; ++d)
       for (int k = 0; k < 8; ++k) {
         if (k >> d & 1) continue;
         const Vec3 &a = at[k], &b = at[k | 1 << d];
-        const bool is_open = !scene_.box.periodic[(d + 1) % 3] && !scene_.box.periodic[(d + 2) % 3];
-        for (const auto& [from, to] : visible_parts(scene_, axes_, a, b))
+        const int e = (d + 1) % 3, f = (d + 2) % 3;
+        const auto is_away = [&](int side) {
+          return dot(planes[2 * side + (k >> side & 1)].normal, axes_.towards) < -1e-9;
+        };
+        const bool is_open = !scene_.box.periodic[e] && !scene_.box.periodic[f];
+        for (const auto& [from, to] : shown_parts(a, b, is_away(e) && is_away(f)))
           canvas_.line(on_page(a + from * (b - a)), on_page(a + to * (b - a)), is_open ? open : line);
       }
   }
@@ -146,6 +162,7 @@ class SolidPage : PageMargins {
   Vec2 size_;            // [pt]
   Canvas canvas_;
   std::vector<Color> color_;
+  SolidImage image_;
 };
 
 void check_options(const std::string& path, const SolidScene& scene, const SolidSnapshotOptions& options) {
@@ -172,6 +189,7 @@ Bounds extent_of(const SolidScene& scene, const View& view) {
   };
   Bounds extent{};
   for (const Vec3& x : cell_corners(scene.box)) extent.include(place(x));
+  if (scene.images == Images::cut && std::ranges::count(scene.box.periodic, false) == 0) return extent;
   for (const SolidTriangle& t : scene.triangle)
     for (const std::int32_t v : t.vertex) extent.include(place(scene.vertex[v]));
   for (const SolidSphere& s : scene.sphere)
