@@ -1,6 +1,7 @@
 #include "bench/surfaces.hpp"
 
 #include <fmt/core.h>
+#include <malloc.h>
 
 #include "bench/time_per_vertex.hpp"
 #include "supple/build/surfaces.hpp"
@@ -76,25 +77,68 @@ System<3> repeated(const System<3>& s, int times) {
   return all;
 }
 
+template <class... Arrays>
+double bytes_in(const Arrays&... arrays) {
+  return (0.0 + ... + static_cast<double>(arrays.size() * sizeof(arrays[0])));
+}
+
+/// What a system and its evaluation hold [bytes].
+struct Memory {
+  double sites, meshes, rows, evaluation, allocated;
+
+  Memory(const System<3>& s, const Evaluation<3>& out, double allocated_for_all)
+      : allocated(allocated_for_all) {
+    const State<3>& x = s.state;
+    sites = bytes_in(x.position, x.velocity, x.mass, x.radius, x.angle, x.inertia, x.spin, x.mobility);
+    const Topology<3>& t = s.topology;
+    meshes = bytes_in(t.begin, t.facet_begin, t.hinge_begin, t.facet, t.hinge, t.bond, s.shape.stiffness,
+                      s.shape.rest_volume, s.shape.rest_facet, s.shape.rest_hinge);
+    const PairTable& p = s.pairs;
+    rows = bytes_in(p.begin, p.first, p.second, p.state, p.history, p.image);
+    evaluation = bytes_in(out.force, out.torque);
+  }
+};
+
+/// Bytes that this process has allocated and not given back.
+double bytes_in_use() {
+  const struct mallinfo2 now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd);
+}
+
 void print_packed_surfaces() {
   fmt::print(
-      "\nShells of 42 vertices at jamming, forces: CPU ns per vertex and evaluation (best of repeats)\n");
-  fmt::print("  {:>8}  {:>8}  {:>6}  {:>6}\n", "contacts", "vertices", "shapes", "all");
+      "\nShells of 42 vertices at jamming, forces: CPU ns per vertex and evaluation (best of repeats), and "
+      "bytes per vertex\n");
+  fmt::print("  {:>8}  {:>8}  {:>6}  {:>6}  {:>6}  {:>6}  {:>6}  {:>6}  {:>9}\n", "contacts", "vertices",
+             "shapes", "all", "sites", "meshes", "rows", "forces", "allocated");
   for (const char* contact : {"rough", "smooth"}) {
     const Packing<3> packing = jammed_shells(contact);
     for (const int times : {1, 2, 4, 7}) {
+      const double before = bytes_in_use();
       System<3> s = repeated(packing.system, times);
       ForceField<3> field = *packing.field;
       field.invalidate();
       const SurfaceShape shape;
       Evaluation<3> out, shapes;
+      field.evaluate(s, Detail::forces, out);
+      const Memory memory(s, out, bytes_in_use() - before);
       shapes.force.resize(s.state.position.size());
       const auto [all, of_shapes] =
           time_per_vertex<2>(s.state.size(), {[&] { field.evaluate(s, Detail::forces, out); },
                                               [&] { shape.evaluate(s, Detail::forces, shapes); }});
-      fmt::print("  {:>8}  {:>8}  {:>6.1f}  {:>6.1f}\n", contact, s.state.size(), of_shapes, all);
+      fmt::print("  {:>8}  {:>8}  {:>6.1f}  {:>6.1f}", contact, s.state.size(), of_shapes, all);
+      for (const double bytes : {memory.sites, memory.meshes, memory.rows, memory.evaluation})
+        fmt::print("  {:>6.0f}", bytes / s.state.size());
+      fmt::print("  {:>9.0f}\n", memory.allocated / s.state.size());
     }
   }
+  fmt::print(
+      "  sites: System::state. meshes: topology and preferred shapes. rows: the pair table, of whole bodies "
+      "near "
+      "each other.\n"
+      "  forces: forces and torques. allocated: all of these, the neighbour list, what contacts keep, and "
+      "spare "
+      "room.\n");
 }
 
 }  // namespace
