@@ -59,14 +59,13 @@ TriangleMesh refined(const TriangleMesh& mesh) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Absolute stiffnesses of a surface with this preferred volume and these areas.
+}  // namespace
+
 ShapeStiffness absolute_stiffness(const ShapeSpec& shape, double v0, const std::vector<double>& a0) {
   if (shape.kind == StiffnessKind::absolute) return {shape.area, shape.length, shape.bending, shape.tension};
   const double s0 = sum(a0), mean = s0 / static_cast<double>(a0.size());
   return {shape.area / (v0 * v0), shape.length / (mean * mean), shape.bending, shape.tension / s0};
 }
-
-}  // namespace
 
 int nearest_geodesic(int vertices) {
   int below = 12;

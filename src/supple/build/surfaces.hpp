@@ -33,6 +33,10 @@ void add_surface(System<3>& system, const TriangleMesh& mesh, double radius, con
 /// `diameter_ratio` times the mean edge.
 void add_surface(System<3>& system, const TriangleMesh& mesh, double diameter_ratio, const ShapeSpec& shape);
 
+/// Absolute stiffnesses (ShapeStiffness) of a surface with preferred volume v0 [length^3] and areas a0 of its
+/// triangles [length^2], meant as above.
+ShapeStiffness absolute_stiffness(const ShapeSpec& shape, double v0, const std::vector<double>& a0);
+
 /// The present surface of body b; no triangles where it is a sphere.
 TriangleMesh mesh_of(const System<3>& system, int b);
 

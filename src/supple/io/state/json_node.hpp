@@ -3,6 +3,8 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -71,12 +73,20 @@ class JsonNode {
     if (!value_.is_boolean()) throw fault("is not true or false");
     return value_.get<bool>();
   }
+  /// A whole number that can count something in memory.
+  std::int32_t index() const {
+    if (!value_.is_number_integer()) throw fault("is not a whole number");
+    if (value_ < 0 || value_ > std::numeric_limits<std::int32_t>::max())
+      throw fault("is " + value_.dump() + ", which counts nothing here");
+    return value_.get<std::int32_t>();
+  }
   std::string text() const {
     if (!value_.is_string()) throw fault("is not a text");
     return value_.get<std::string>();
   }
-  Error fault(const std::string& what) const {
-    return file_error(where_ + " " + what, "the file cannot be used");
+  Error fault(const std::string& what, const std::string& to_do = {},
+              const std::string& why = "the file cannot be used") const {
+    return file_error(where_ + " " + what, why, to_do);
   }
 
  private:

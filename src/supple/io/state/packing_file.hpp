@@ -25,10 +25,29 @@
 /// * "gravity": acceleration downward; "sticks": where vertices stick to the floor, or null;
 /// * "case": laws by the keys of a case ({"contact.kind": "smooth"}), which hold unless the case gives them.
 ///
+/// Packings of triangulated surfaces and spheres are in the same layout, where
+///
+///     {"k_v": 1, "k_a": 1, "k_b": 0.01, "k_c": 1, "box": [4, 4, 4],
+///      "particles": [{"v0": 1, "a0": 0.05, "theta0": 0.3, "sigma": 0.3, "vertices": [[0.1, 0.2, 0.3], ...],
+///                     "faces": [[0, 1, 2], ...]}, ...]}
+///
+/// has the energy (k_v/2)(v/v0-1)^2 + sum (k_a/2)((a-a0)/<a0>)^2 + sum (k_b/2)(theta-theta0)^2 of a particle:
+/// its volume, its triangles, counter-clockwise as seen from outside, and its edges. "theta0" may be a list,
+/// one for each of "edges": [[0, 1], ...]. A sphere has "sigma" and "x": [[0.1, 0.2, 0.3]]. Further keys:
+///
+/// * "stiffness": {"k_v": 1, "k_a": 1, "k_b": 0.01, "gamma": 0, "k_c": 1}: all of them, absolute;
+/// * "contact": "rough", "smooth";
+/// * "box": [[width, s, 0], [0, height, 0], [0, 0, depth]]: the columns are the periods, the strain s/height;
+/// * "walls": "back", "front" too.
+///
+/// A surface alone may stand in the file itself, without "particles", "box" and "sigma". The points of the
+/// first particle say which dimension a file is of; all else must be of the same.
+///
 /// Notes may stand in "name", "comment", "convention", "phi_reported" and "expected"; every other key is an
 /// error. The whole layout with examples: docs/packing_json.md.
 #pragma once
 #include <string>
+#include <variant>
 
 #include "supple/contact/laws/harmonic.hpp"
 #include "supple/core/new_file.hpp"
@@ -38,23 +57,31 @@
 namespace supple {
 
 /// Particles, the law of their contacts, and what else acts on them.
-struct StoredPacking {
-  System<2> system;
+template <int Dim>
+struct StoredPackingOf {
+  System<Dim> system;
   Harmonic contact{1, true};
   HeldKeys keys;
   Environment environment;
 };
+using StoredPacking = StoredPackingOf<2>;
+using AnyPacking = std::variant<StoredPackingOf<2>, StoredPackingOf<3>>;
+
 /// A packing as a state to start from, and a state of deformable particles as a packing.
-InitialState as_initial(StoredPacking packing);
-StoredPacking as_packing(const InitialState& state);
+InitialState as_initial(AnyPacking packing);
+AnyPacking as_packing(const InitialState& state);
 
 /// Reads a packing. Throws a file error that names the file, the particle (counted from 0) and what is wrong.
-StoredPacking read_packing_json(const std::string& path);
+AnyPacking read_any_packing_json(const std::string& path);
+/// The same of a packing in this dimension. Input error where the file holds one in the other.
+template <int Dim = 2>
+StoredPackingOf<Dim> read_packing_json(const std::string& path);
 
 /// Writes positions, velocities, shapes, stiffnesses, laws and the cell; positions and preferred shapes to
-/// the last bit, relative stiffnesses and rigid bodies to rounding. Throws an input error where the layout
+/// the last bit. Stiffnesses of polygons and rigid bodies to rounding; those of surfaces to the last bit:
+/// relative where this says them exactly, and absolute otherwise. Throws an input error where the layout
 /// cannot say what there is, such as links.
-void write_packing_json(const StoredPacking& packing, const std::string& path,
+void write_packing_json(const AnyPacking& packing, const std::string& path,
                         Existing existing = Existing::refuse);
 
 }  // namespace supple
