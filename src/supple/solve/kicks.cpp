@@ -193,7 +193,8 @@ void change_velocities_of_discs(System<Dim>& system, const Evaluation<Dim>& eval
   template void push(System<Dim>&, double); \
   template Acceleration<Dim> slow_down(System<Dim>&, double, double); \
   template void add(const Acceleration<Dim>&, Acceleration<Dim>&); \
-  template void change_velocities_of_discs(System<Dim>&, const Evaluation<Dim>&, double, double, double, double);
+  template void change_velocities_of_discs(System<Dim>&, const Evaluation<Dim>&, double, double, double, \
+                                           double);
 // clang-format on
 SUPPLE_KICKS(2)
 SUPPLE_KICKS(3)

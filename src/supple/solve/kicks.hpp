@@ -1,9 +1,19 @@
 /// How forces, the flow and damping change velocities: the parts of a step of Mover.
 #pragma once
+#include "supple/core/error.hpp"
 #include "supple/model/evaluation.hpp"
 #include "supple/model/system.hpp"
 
 namespace supple {
+
+/// Input error where a body of many vertices is rigid in 3D: such bodies do not move in time yet.
+template <int Dim>
+void refuse_rigid(const System<Dim>& system) {
+  if (Dim == 3 && !system.rigid.empty())
+    throw input_error("rigid bodies of many vertices do not move in time in 3D",
+                      "the equation of motion of their orientation is missing",
+                      "take shells with stiff triangles, or spheres");
+}
 
 /// What body b moves with: by itself, or with what holds one of its sites.
 template <int Dim>

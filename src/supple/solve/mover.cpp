@@ -29,13 +29,6 @@ double motion_sum(const State<3>& s, int i) {
 }
 
 template <int Dim>
-void refuse_rigid(const System<Dim>& system) {
-  if (Dim == 3 && !system.rigid.empty())
-    throw input_error("rigid bodies of many vertices cannot move in 3D", "they have no orientation there",
-                      "use shells with stiff triangles, or spheres");
-}
-
-template <int Dim>
 void drift(System<Dim>& system, double dt) {
   State<Dim>& s = system.state;
   // Values that are not finite, of sites at least.

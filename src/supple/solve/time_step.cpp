@@ -10,6 +10,7 @@
 #include "supple/core/error.hpp"
 #include "supple/solve/degrees.hpp"
 #include "supple/solve/eigenvalue_bound.hpp"
+#include "supple/solve/kicks.hpp"
 
 namespace supple {
 
@@ -185,6 +186,7 @@ class WeightedHessian {
 
 template <int Dim>
 double frequency_bound(System<Dim>& system, ForceField<Dim>& forces) {
+  refuse_rigid(system);
   Evaluation<Dim> evaluation;
   if (!system.rigid.body.empty()) forces.evaluate(system, Detail::forces, evaluation);  // they turn bodies
   HessianBlocks<Dim> joining;
