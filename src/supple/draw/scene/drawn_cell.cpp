@@ -21,6 +21,17 @@ Lattice<Dim> drawn_lattice(Box<Dim> box) {
 }
 }  // namespace
 
+template <int Dim>
+std::array<Vec<Dim>, Dim> cell_edges(const Box<Dim>& box) {
+  std::array<Vec<Dim>, Dim> edge;
+  for (int d = 0; d < Dim; ++d) {
+    Vec<Dim> one{};
+    one[d] = 1;
+    edge[d] = drawn_lattice(box).vector(one);
+  }
+  return edge;
+}
+
 std::array<Vec2, 4> cell_corners(const Box<2>& box) {
   const double lx = box.length[flow], ly = box.length[gradient], lean = 0.5 * drawn_lattice(box).shift;
   return {{{-lean, 0}, {lx - lean, 0}, {lx + lean, ly}, {lean, ly}}};
@@ -88,6 +99,8 @@ std::vector<Vec3> neighbour_cells(const Box<3>& box) {
 
 template double drawn_strain(const Box<2>&);
 template double drawn_strain(const Box<3>&);
+template std::array<Vec2, 2> cell_edges<2>(const Box<2>&);
+template std::array<Vec3, 3> cell_edges<3>(const Box<3>&);
 template Vec2 into_cell(const Box<2>&, Vec2);
 template Vec3 into_cell(const Box<3>&, Vec3);
 

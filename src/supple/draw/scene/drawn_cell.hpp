@@ -17,6 +17,11 @@ enum class Lies { inside, across, outside };
 template <int Dim>
 double drawn_strain(const Box<Dim>& box);
 
+/// Edges of the leaning cell along x, y and z [length]: that along the gradient has the drawn strain times
+/// its length along the flow.
+template <int Dim>
+std::array<Vec<Dim>, Dim> cell_edges(const Box<Dim>& box);
+
 /// Corners of the leaning cell, anticlockwise from the lower left.
 std::array<Vec2, 4> cell_corners(const Box<2>& box);
 /// The same in 3D: bit d of the index is set for those on the far side in direction d.

@@ -30,8 +30,9 @@ std::vector<std::int32_t> particles_of_bodies(const RunInfo<2>& info, const Scen
 
 }  // namespace
 
-Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame) {
-  Scene scene;
+template <int Dim>
+BodyScene<Dim> body_scene_of(const RunInfo<Dim>& info, const Frame<Dim>& frame) {
+  BodyScene<Dim> scene;
   scene.units = info.units;
   scene.box = info.box;
   scene.box.strain = frame.strain;
@@ -42,8 +43,7 @@ Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame) {
   scene.begin = info.body_begin;
   scene.position = frame.position;
   scene.radius = info.radius;
-  scene.mobility = frame.mobility;
-  scene.particle = particles_of_bodies(info, scene);
+  scene.facet = info.facet;
   const auto add = [&](const char* name, const auto& values, bool about_normal = false) {
     if (!values.empty()) scene.of_sites.push_back({name, values, about_normal});
   };
@@ -51,11 +51,18 @@ Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame) {
   add("force", frame.force);
   if (info.body_begin.empty()) {
     add("angle", frame.angle);
-    add("spin", frame.spin, true);
-    add("torque", frame.torque, true);
+    add("spin", frame.spin, Dim == 2);
+    add("torque", frame.torque, Dim == 2);
     add("particle", info.particle);
   }
   for (const auto& [name, values] : frame.body) scene.of_bodies.push_back({name, values});
+  return scene;
+}
+
+Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame) {
+  Scene scene{body_scene_of(info, frame)};
+  scene.mobility = frame.mobility;
+  scene.particle = particles_of_bodies(info, scene);
   for (const ContactRow<2>& c : frame.contacts) {
     const bool is_link = c.state == ContactState::permanent;
     scene.contacts.push_back({c.first, c.second, std::hypot(c.normal_force, c.tangential_force), 0, c.state,
@@ -84,5 +91,8 @@ CellNumbers cell_numbers(const Scene& scene) {
   if (pressure) cell.pressure = pressed / scene.box.volume();
   return cell;
 }
+
+template BodyScene<2> body_scene_of(const RunInfo<2>&, const Frame<2>&);
+template BodyScene<3> body_scene_of(const RunInfo<3>&, const Frame<3>&);
 
 }  // namespace supple

@@ -6,8 +6,13 @@
 namespace supple {
 
 /// The bodies of a run at one instant, in the units of the run, with what the frame knows of them: velocity,
-/// force, angle, spin, torque and, for discs, the crosslinked particle of each site; the numbers of each
-/// body; contacts that bear a force. The caller must set boundary and walls, which frames do not know.
+/// force and, for discs, angle, spin, torque and the crosslinked particle of each site; the numbers of each
+/// body and of all.
+template <int Dim>
+BodyScene<Dim> body_scene_of(const RunInfo<Dim>& info, const Frame<Dim>& frame);
+
+/// The same with contacts that bear a force. The caller must set boundary and walls, which frames do not
+/// know.
 Scene scene_of(const RunInfo<2>& info, const Frame<2>& frame);
 
 /// The array of numbers of bodies with this name; null where there is none.

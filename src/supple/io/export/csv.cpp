@@ -201,15 +201,16 @@ void write_trajectory(const RunFile& run, CsvFile& csv) {
 }
 
 /// visit(quantity, value) for all of a contact but the second elongation of the published package.
-template <class Visit>
-void for_each_in_csv(const ContactRow<2>& c, Visit&& visit) {
+template <int Dim, class Visit>
+void for_each_in_csv(const ContactRow<Dim>& c, Visit&& visit) {
   for_each_quantity(c, [&](const auto& q, const auto& value) {
     if (&value != static_cast<const void*>(&c.elongation_back)) visit(q, value);
   });
 }
 
+template <int Dim>
 void write_contacts(const RunFile& run, CsvFile& csv) {
-  const Units units = run.info().units, si = unit_text(units, unit::time).empty() ? units : si_units();
+  const Units units = run.info<Dim>().units, si = unit_text(units, unit::time).empty() ? units : si_units();
   const Factors to_si{units, si};
   const auto head = [&](std::string name, const Unit& unit) {
     csv.cell(with_unit(name, unit_text(si, unit)));
@@ -217,15 +218,15 @@ void write_contacts(const RunFile& run, CsvFile& csv) {
   const auto in_csv = [](const std::string& name) { return name.substr(std::string("contact_").size()); };
   head("frame", unit::none);
   head("t", unit::time);
-  for_each_in_csv(ContactRow<2>{}, [&]<class T>(const auto& q, const T&) {
-    if (std::is_same_v<T, Vec2>) {
-      for (const char* axis : {"x", "y"}) head(std::string("force_on_first_") + axis, q.unit);
+  for_each_in_csv(ContactRow<Dim>{}, [&]<class T>(const auto& q, const T&) {
+    if (std::is_same_v<T, Vec<Dim>>) {
+      for (int d = 0; d < Dim; ++d) head(std::string("force_on_first_") + "xyz"[d], q.unit);
     } else head(in_csv(q.name), q.unit);
   });
   csv.end_row();
   for (std::int64_t k = 0; k < run.frames(); ++k) {
-    const Frame<2> frame = run.frame(k);
-    for (const ContactRow<2>& c : frame.contacts) {
+    const Frame<Dim> frame = run.frame<Dim>(k);
+    for (const ContactRow<Dim>& c : frame.contacts) {
       csv.cell(k);
       csv.cell(frame.time * to_si(unit::time));
       for_each_in_csv(c, [&]<class T>(const auto& q, const T& value) {
@@ -233,7 +234,7 @@ void write_contacts(const RunFile& run, CsvFile& csv) {
         else if constexpr (std::is_same_v<T, std::int32_t>) csv.cell(std::int64_t{value});
         else if constexpr (std::is_same_v<T, double>) csv.cell(value * to_si(q.unit));
         else
-          for (const double x : {value[0], value[1]}) csv.cell(x * to_si(q.unit));
+          for (int d = 0; d < Dim; ++d) csv.cell(value[d] * to_si(q.unit));
       });
       csv.end_row();
     }
@@ -270,7 +271,8 @@ void export_trajectory(const RunFile& run, const std::string& path, Existing exi
 
 void export_contacts(const RunFile& run, const std::string& path, Existing existing) {
   CsvFile csv(path, existing);
-  write_contacts(run, csv);
+  if (run.dimensions() == 2) write_contacts<2>(run, csv);
+  else write_contacts<3>(run, csv);
   csv.commit();
 }
 

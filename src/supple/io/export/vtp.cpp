@@ -3,16 +3,17 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
+#include <numeric>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/scene/polygon_outline.hpp"
+#include "supple/io/export/in_space.hpp"
 #include "supple/io/text/number_text.hpp"
 
 namespace supple {
 
 namespace {
 
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "arrays of vectors are written as they are");
 static_assert(std::endian::native == std::endian::little, "the files are little-endian");
 
 void append_base64(std::string& text, std::string_view bytes) {
@@ -52,83 +53,21 @@ constexpr const char* vtk_type<std::int64_t> = "Int64";
 template <class T>
 void append_array(std::string& xml, const std::string& name, const std::vector<T>& values,
                   const std::string& attributes = "") {
-  std::vector<double> padded;
-  std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-  if constexpr (std::is_same_v<T, Vec2>) {
-    for (const Vec2& v : values) padded.insert(padded.end(), {v[0], v[1], 0});
-    bytes = {reinterpret_cast<const char*>(padded.data()), padded.size() * sizeof(double)};
-  }
-  const std::uint64_t size = bytes.size();
+  const std::uint64_t size = values.size() * sizeof(T);
   std::string block(sizeof size, '\0');
   std::memcpy(block.data(), &size, sizeof size);
-  block += bytes;
+  block.append(reinterpret_cast<const char*>(values.data()), size);
   xml += "<DataArray type=\"" + std::string(vtk_type<T>) + "\" Name=\"" + escaped(name) +
-         "\" NumberOfComponents=\"" + (std::is_same_v<T, Vec2> ? "3" : "1") + "\"" + attributes +
+         "\" NumberOfComponents=\"" + (std::is_same_v<T, Vec3> ? "3" : "1") + "\"" + attributes +
          " format=\"binary\">";
   append_base64(xml, block);
   xml += "</DataArray>\n";
 }
-
-/// The cells: points, the site that each stands for, and the body of each cell.
-struct Polygons {
-  std::vector<Vec2> point;
-  std::vector<std::int32_t> site;
-  std::vector<std::int64_t> offset;  ///< one after the last point of each
-  std::vector<std::int32_t> body;    ///< of each
-
-  Polygons(const Scene& scene, const std::vector<Vec2>& shift, Cells cells) {
-    for (std::int32_t b = 0; b < scene.bodies(); ++b) {
-      const auto [first, last] = scene.body(b);
-      std::vector<Vec2> ring;
-      std::vector<double> radius;
-      for (std::int32_t i = first; i < last; ++i) {
-        ring.push_back(scene.position[i] + shift[b]);
-        radius.push_back(scene.radius[i]);
-      }
-      if (cells == Cells::polygons && ring.size() > 1) {
-        for (std::int32_t i = first; i < last; ++i) add(i, ring[i - first]);
-        close(b);
-        continue;
-      }
-      const std::vector<Vec2> outline =
-          ring.size() == 1 ? circle(ring[0], radius[0]) : outer_ring(ring, radius);
-      const auto add_point = [&, first = first](const Vec2& x) { add(first + nearest(ring, x), x); };
-      if (cells != Cells::triangles) {
-        for (const Vec2& x : outline) add_point(x);
-        close(b);
-        continue;
-      }
-      for (const auto& triangle : triangulate(outline)) {
-        for (const std::size_t k : triangle) add_point(outline[k]);
-        close(b);
-      }
-    }
-  }
-
- private:
-  void add(std::int32_t i, const Vec2& x) {
-    point.push_back(x);
-    site.push_back(i);
-  }
-  void close(std::int32_t b) {
-    offset.push_back(static_cast<std::int64_t>(point.size()));
-    body.push_back(b);
-  }
-  static std::vector<Vec2> circle(const Vec2& centre, double radius) {
-    std::vector<Vec2> out;
-    for (int k = 0; k < disc_corners; ++k) {
-      const double angle = 2 * std::numbers::pi * k / disc_corners;
-      out.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
-    }
-    return out;
-  }
-  static std::int32_t nearest(const std::vector<Vec2>& ring, const Vec2& x) {
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < ring.size(); ++k)
-      if (norm(ring[k] - x) < norm(ring[best] - x)) best = k;
-    return static_cast<std::int32_t>(best);
-  }
-};
+void append_array(std::string& xml, const std::string& name, const std::vector<Vec2>& values) {
+  std::vector<Vec3> padded;
+  for (const Vec2& v : values) padded.push_back(in_space(v));
+  append_array(xml, name, padded);
+}
 
 void check_names(const std::vector<SceneArray>& arrays, std::initializer_list<std::string_view> taken,
                  const std::string& path) {
@@ -139,7 +78,8 @@ void check_names(const std::vector<SceneArray>& arrays, std::initializer_list<st
                           "rename the array");
 }
 
-void append_point_data(std::string& xml, const Scene& scene, const std::vector<std::int32_t>& site) {
+template <int Dim>
+void append_point_data(std::string& xml, const BodyScene<Dim>& scene, const std::vector<std::int32_t>& site) {
   const auto append = [&](const std::string& name, const auto& of_sites) {
     std::remove_cvref_t<decltype(of_sites)> values;
     for (const std::int32_t i : site) values.push_back(of_sites[i]);
@@ -153,7 +93,8 @@ void append_point_data(std::string& xml, const Scene& scene, const std::vector<s
   xml += "</PointData>\n";
 }
 
-void append_cell_data(std::string& xml, const Scene& scene, const std::vector<std::int32_t>& body) {
+template <int Dim>
+void append_cell_data(std::string& xml, const BodyScene<Dim>& scene, const std::vector<std::int32_t>& body) {
   std::vector<std::int32_t> sites;
   std::vector<double> radius;
   for (const std::int32_t b : body) {
@@ -176,23 +117,39 @@ void append_cell_data(std::string& xml, const Scene& scene, const std::vector<st
 }
 
 /// ParaView takes the time from here where there is no collection.
-void append_time(std::string& xml, const Scene& scene) {
-  const std::string one = " NumberOfTuples=\"1\"";
+template <int Dim>
+void append_field_data(std::string& xml, const BodyScene<Dim>& scene) {
+  const auto append = [&](const std::string& name, const auto& values) {
+    append_array(xml, name, values, " NumberOfTuples=\"" + std::to_string(values.size()) + "\"");
+  };
+  const SpaceCell cell = space_cell(scene);
   xml += "<FieldData>\n";
-  append_array(xml, "TimeValue", std::vector<double>{scene.time}, one);
-  for (const auto& [name, value] : scene.numbers) append_array(xml, name, std::vector<double>{value}, one);
+  append("TimeValue", std::vector<double>{scene.time});
+  append("cell", std::vector<Vec3>(cell.edge.begin(), cell.edge.end()));
+  append("cell_origin", std::vector<Vec3>{cell.origin});
+  for (const auto& [name, value] : scene.numbers) append(name, std::vector<double>{value});
   xml += "</FieldData>\n";
 }
 
-void append_polygons(std::string& xml, const Polygons& polygons) {
-  std::vector<std::int64_t> connectivity(polygons.point.size());
-  for (std::size_t k = 0; k < connectivity.size(); ++k) connectivity[k] = static_cast<std::int64_t>(k);
-  xml += "<Points>\n";
-  append_array(xml, "Points", polygons.point);
-  xml += "</Points>\n<Polys>\n";
+void append_cells(std::string& xml, const std::string& kind, const std::vector<std::int64_t>& connectivity,
+                  const std::vector<std::int64_t>& offset) {
+  xml += "<" + kind + ">\n";
   append_array(xml, "connectivity", connectivity);
-  append_array(xml, "offsets", polygons.offset);
-  xml += "</Polys>\n";
+  append_array(xml, "offsets", offset);
+  xml += "</" + kind + ">\n";
+}
+
+template <int Dim>
+void append_geometry(std::string& xml, const VtkCells<Dim>& cells) {
+  xml += "<Points>\n";
+  append_array(xml, "Points", cells.point);
+  xml += "</Points>\n";
+  if (!cells.vertex.empty()) {
+    std::vector<std::int64_t> offset(cells.vertex.size());
+    std::iota(offset.begin(), offset.end(), 1);
+    append_cells(xml, "Verts", cells.vertex, offset);
+  }
+  append_cells(xml, "Polys", cells.connectivity, cells.offset);
 }
 
 void write_new(const std::string& path, const std::string& text, Existing existing) {
@@ -203,23 +160,25 @@ void write_new(const std::string& path, const std::string& text, Existing existi
 
 }  // namespace
 
-void write_vtp(const std::string& path, const Scene& scene, Existing existing, Placement placement,
-               Cells cells) {
-  check_scene(scene, path);
+template <int Dim>
+void write_vtp(const std::string& path, const BodyScene<Dim>& scene, Existing existing, Placement placement,
+               Cells kind) {
+  check_bodies(scene, path);
   check_names(scene.of_sites, {"site", "radius"}, path);
   check_names(scene.of_bodies, {"id", "sites", "radius"}, path);
-  const Polygons polygons(scene, placement_shifts(scene, placement), cells);
+  const VtkCells<Dim> cells = vtk_cells(scene, placement_shifts(scene, placement), kind);
   std::string xml =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n";
-  append_time(xml, scene);
-  xml += "<Piece NumberOfPoints=\"" + std::to_string(polygons.point.size()) +
-         "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-         std::to_string(polygons.body.size()) + "\">\n";
-  append_point_data(xml, scene, polygons.site);
-  append_cell_data(xml, scene, polygons.body);
-  append_polygons(xml, polygons);
+  append_field_data(xml, scene);
+  xml += "<Piece NumberOfPoints=\"" + std::to_string(cells.point.size()) + "\" NumberOfVerts=\"" +
+         std::to_string(cells.vertex.size()) +
+         "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+         std::to_string(cells.offset.size()) + "\">\n";
+  append_point_data(xml, scene, cells.site);
+  append_cell_data(xml, scene, cells.body);
+  append_geometry(xml, cells);
   xml += "</Piece>\n</PolyData>\n</VTKFile>\n";
   write_new(path, xml, existing);
 }
@@ -239,5 +198,8 @@ void write_pvd(const std::string& path, const std::vector<PvdEntry>& frames, Exi
   xml += "</Collection>\n</VTKFile>\n";
   write_new(path, xml, existing);
 }
+
+template void write_vtp(const std::string&, const BodyScene<2>&, Existing, Placement, Cells);
+template void write_vtp(const std::string&, const BodyScene<3>&, Existing, Placement, Cells);
 
 }  // namespace supple

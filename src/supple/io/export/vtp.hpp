@@ -1,41 +1,38 @@
-/// Polygons for ParaView, OVITO and other programs that read VTK files.
+/// Polygons, triangles and spheres for ParaView, OVITO and other programs that read VTK files.
 #pragma once
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "supple/core/new_file.hpp"
-#include "supple/draw/scene/scene.hpp"
+#include "supple/draw/scene/body_scene.hpp"
+#include "supple/io/export/vtk_cells.hpp"
 
 namespace supple {
 
-/// What the cells of a file are. ParaView and VTK draw and measure a cell as a fan of triangles from its
-/// first point, which is wrong for one that is not convex: right areas of such bodies need `triangles`.
-enum class Cells {
-  polygons,   ///< one for each body: its vertices
-  outlines,   ///< one for each body: the outline with the discs on its vertices, holes filled
-  triangles,  ///< the outlines in triangles, each with the numbers of its body
-};
-
-/// Writes one instant as VTK XML PolyData (.vtp): bodies as `cells`, z = 0, binary64 throughout.
+/// Writes one instant as VTK XML PolyData (.vtp): bodies as `cells` (vtk_cells), binary64 throughout.
 ///
-/// * Points: the vertices, or points of outlines with the numbers of the nearest vertex. A disc is drawn as a
-///   regular polygon of `disc_corners` corners on its circle.
+/// * Points: in 2D the vertices, or points of outlines with the numbers of the nearest vertex, z = 0; in 3D
+/// the
+///   sites, each once and in their order.
 /// * Data of points: `site`, `radius`, then `of_sites` of the scene by their names. Vectors have three
 ///   components.
-/// * Data of cells: `id` (body, 0-based), `sites` (1: a disc), `radius` (of the disc or the first vertex),
-///   and `of_bodies` of the scene by their names.
-/// * Data of the field: `TimeValue` and the numbers of the whole system.
+/// * Cells: polygons or triangles; in 3D, before them, vertices, one for each sphere.
+/// * Data of cells: `id` (body, 0-based), `sites` (1: a disc or sphere), `radius` (of the disc, sphere or
+/// first
+///   vertex), and `of_bodies` of the scene by their names.
+/// * Data of the field: `TimeValue`, the edges of the leaning cell as rows of `cell` and the corner where
+/// they
+///   begin as `cell_origin` (space_cell), and the numbers of the whole system.
 ///
-/// The periodic cell has no place in this format: bodies are whole, moved as `placement` says. The time
+/// Programs know no periodic cell in this format: bodies are whole, moved as `placement` says. The time
 /// stands in the collection (write_pvd) too. The encoding (inline base64, uncompressed) is one that ParaView
-/// and OVITO both read. Throws an input error where the arrays do not fit together or have one of these
-/// names, and file errors.
-void write_vtp(const std::string& path, const Scene& scene, Existing existing = Existing::refuse,
+/// and OVITO both read; OVITO shows no vertices, and where there are any it leaves out the data of cells.
+/// Throws an input error where the arrays do not fit together or have one of these names, where there are no
+/// such cells in so many dimensions, and file errors.
+template <int Dim>
+void write_vtp(const std::string& path, const BodyScene<Dim>& scene, Existing existing = Existing::refuse,
                Placement placement = Placement::in_cell, Cells cells = Cells::polygons);
-
-/// Corners of the polygon as which a disc is drawn.
-inline constexpr int disc_corners = 32;
 
 /// A frame of a collection: its time and its file, relative to the folder of the collection.
 using PvdEntry = std::pair<double, std::string>;

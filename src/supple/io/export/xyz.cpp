@@ -5,7 +5,7 @@
 #include <set>
 
 #include "supple/core/error.hpp"
-#include "supple/draw/scene/drawn_cell.hpp"
+#include "supple/io/export/in_space.hpp"
 #include "supple/io/text/number_text.hpp"
 
 namespace supple {
@@ -15,7 +15,8 @@ namespace {
 /// Programs know velocities by this name.
 std::string column_name(const SceneArray& array) { return array.name == "velocity" ? "velo" : array.name; }
 
-void check_names(const Scene& scene, const std::string& path) {
+template <int Dim>
+void check_names(const BodyScene<Dim>& scene, const std::string& path) {
   std::set<std::string> names{"type", "pos", "radius", "id", "molecule"};
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   for (const auto* arrays : {&scene.of_sites, &scene.of_bodies})
@@ -36,20 +37,22 @@ void append_values(std::string& text, std::int32_t x) {
   text += ' ';
   append_integer(text, x);
 }
-void append_values(std::string& text, const Vec2& x) {
-  append_values(text, x[0]);
-  append_values(text, x[1]);
-  text += " 0";
+void append_values(std::string& text, const Vec3& x) {
+  for (int d = 0; d < 3; ++d) append_values(text, x[d]);
 }
+void append_values(std::string& text, const Vec2& x) { append_values(text, in_space(x)); }
 
 const char* column_type(const SceneArray& array) {
   if (array.about_normal) return ":R:3";
-  static constexpr const char* types[] = {":R:1", ":R:3", ":I:1"};  // in the order of the variant
+  static constexpr const char* types[] = {":R:1", ":R:3", ":I:1", ":R:3"};  // in the order of the variant
   return types[array.values.index()];
 }
 
-/// disc1, polygon2, ...: bodies of equal radius and number of sites are of one type.
-std::vector<std::string> types_of_bodies(const Scene& scene) {
+/// disc1, polygon2, ... or sphere1, surface2, ...: bodies of equal radius and number of sites are of one
+/// type.
+template <int Dim>
+std::vector<std::string> types_of_bodies(const BodyScene<Dim>& scene) {
+  const std::string one = Dim == 2 ? "disc" : "sphere", many = Dim == 2 ? "polygon" : "surface";
   std::vector<std::pair<std::int32_t, double>> sizes;
   std::vector<std::string> names;
   for (std::int32_t b = 0; b < scene.bodies(); ++b) {
@@ -57,31 +60,26 @@ std::vector<std::string> types_of_bodies(const Scene& scene) {
     const std::pair size(last - first, scene.radius[first]);
     const auto at = std::find(sizes.begin(), sizes.end(), size) - sizes.begin();
     if (at == static_cast<std::ptrdiff_t>(sizes.size())) sizes.push_back(size);
-    names.push_back((last - first == 1 ? "disc" : "polygon") + std::to_string(at + 1));
+    names.push_back((last - first == 1 ? one : many) + std::to_string(at + 1));
   }
   return names;
 }
 
-std::string header(const Scene& scene) {
-  const auto corner = cell_corners(scene.box);
-  const double lean = drawn_strain(scene.box) * scene.box.length[gradient];
-  const double thickest =
-      scene.radius.empty() ? 0 : *std::max_element(scene.radius.begin(), scene.radius.end());
-  const double depth = thickest > 0 ? 2 * thickest : 1;
-  std::string text = std::to_string(scene.sites()) + "\nLattice=\"";
-  append_shortest(text, scene.box.length[flow]);
-  text += " 0 0";
-  append_values(text, lean);
-  append_values(text, scene.box.length[gradient]);
-  text += " 0 0 0";
-  append_values(text, depth);
-  text += "\" Origin=\"";
-  append_shortest(text, corner[0][0]);
-  append_values(text, corner[0][1]);
-  append_values(text, -0.5 * depth);
-  text += "\" pbc=\"";
-  text += scene.box.periodic[flow] ? "T " : "F ";
-  text += scene.box.periodic[gradient] ? "T F\" Time=" : "F F\" Time=";
+/// " a b c" without the first blank.
+std::string joined(std::initializer_list<Vec3> vectors) {
+  std::string text;
+  for (const Vec3& x : vectors) append_values(text, x);
+  return text.substr(1);
+}
+
+template <int Dim>
+std::string header(const BodyScene<Dim>& scene) {
+  const SpaceCell cell = space_cell(scene);
+  std::string text = std::to_string(scene.sites()) + "\nLattice=\"" +
+                     joined({cell.edge[0], cell.edge[1], cell.edge[2]}) + "\" Origin=\"" +
+                     joined({cell.origin}) + "\" pbc=\"";
+  for (int d = 0; d < 3; ++d) text += std::string(d > 0 ? " " : "") + (cell.periodic[d] ? "T" : "F");
+  text += "\" Time=";
   append_shortest(text, scene.time);
   for (const auto& [name, value] : scene.numbers) {
     text += " " + name + "=";
@@ -98,11 +96,12 @@ std::string header(const Scene& scene) {
 XyzFile::XyzFile(const std::string& path, Existing existing, Placement placement)
     : path_(path), file_(path, existing), placement_(placement) {}
 
-void XyzFile::append(const Scene& scene) {
-  check_scene(scene, path_);
+template <int Dim>
+void XyzFile::append(const BodyScene<Dim>& scene) {
+  check_bodies(scene, path_);
   check_names(scene, path_);
   const std::vector<std::string> types = types_of_bodies(scene);
-  const std::vector<Vec2> shift = placement_shifts(scene, placement_);
+  const std::vector<Vec<Dim>> shift = placement_shifts(scene, placement_);
   const std::vector<std::int32_t> body = body_of_sites(scene);
   std::string text = header(scene);
   for (std::int32_t i = 0; i < scene.sites(); ++i) {
@@ -124,5 +123,8 @@ void XyzFile::append(const Scene& scene) {
 }
 
 void XyzFile::commit() { file_.commit(); }
+
+template void XyzFile::append(const BodyScene<2>&);
+template void XyzFile::append(const BodyScene<3>&);
 
 }  // namespace supple
