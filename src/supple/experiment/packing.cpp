@@ -172,7 +172,9 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   const bool apart = places == Places::apart;
   if (const Soundness s = apart ? look_at_each(p.system, p.outline) : look_at(p); must_stop(p, s))
     throw input_error("the packing to start from: " + s.what(), "", what_to_do_about_start(s));
-  set_pressure_unit(springs_of(c), p);
+  // A packing in 3D that a file gives has the pressures of the file's own units.
+  if (Dim == 3 && !c.initial.packing.empty()) p.pressure_symbol = "";
+  else set_pressure_unit(springs_of(c), p);
   p.shape_area = area_of_shapes(p.system);
   p.minimise.method = minimiser_named(c.minimise.method);
   p.minimise.max_evaluations = c.minimise.max_evaluations;
