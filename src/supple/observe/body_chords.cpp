@@ -50,7 +50,7 @@ void intersect(const std::vector<Interval>& a, const std::vector<Interval>& b, s
   }
 }
 
-BodyChords::BodyChords(const BodySurface& shape, Outline outline) : shape_(&shape), bands_(x_) {
+BodyChords::BodyChords(const BodySurface& shape, Outline outline) : shape_(&shape), tiles_(x_, y_) {
   const bool smooth = outline == Outline::smooth && !shape.is_sphere();
   for (std::int32_t k = 0; k < shape.size(); ++k)
     if (shape.radius[k] > 0)
@@ -65,12 +65,13 @@ BodyChords::BodyChords(const BodySurface& shape, Outline outline) : shape_(&shap
   }
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(shape.face.size()); ++k)
     add(Kind::triangle, k, bounds_of_corners(shape.corners(shape.face[k]), 0));
-  bands_ = Bands(x_);
+  tiles_ = Tiles(x_, y_);
 }
 
 void BodyChords::add(Kind kind, std::int32_t number, const BoundsOf<3>& bounds) {
-  parts_.push_back({kind, number, {bounds.low[1], bounds.high[1]}});
+  parts_.push_back({kind, number});
   x_.push_back({bounds.low[0], bounds.high[0]});
+  y_.push_back({bounds.low[1], bounds.high[1]});
 }
 
 Interval BodyChords::chord_of(const Part& part, const LineAlongZ& line) const {
@@ -89,10 +90,9 @@ void BodyChords::find(const LineAlongZ& line, std::vector<Interval>& chords) con
   crossings.clear();
   chords.clear();
   if (!(shape_->bounds.low[0] <= line[0] && line[0] <= shape_->bounds.high[0])) return;
-  for (const std::int32_t k : bands_.at(line[0])) {
+  for (const std::int32_t k : tiles_.at(line[0], line[1])) {
     const Part& part = parts_[k];
-    if (line[0] < x_[k].low || x_[k].high < line[0] || line[1] < part.y.low || part.y.high < line[1])
-      continue;
+    if (line[0] < x_[k].low || x_[k].high < line[0] || line[1] < y_[k].low || y_[k].high < line[1]) continue;
     if (part.kind == Kind::triangle) {
       const auto [a, b, c] = shape_->corners(shape_->face[part.number]);
       if (const Crossing at = crossing_of(line, {a, b, c}); at.winding != 0) crossings.push_back(at);

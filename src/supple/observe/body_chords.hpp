@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "supple/geometry/bands.hpp"
 #include "supple/geometry/line_chord.hpp"
+#include "supple/geometry/tiles.hpp"
 #include "supple/observe/body_shapes.hpp"
 
 namespace supple {
@@ -33,7 +33,6 @@ class BodyChords {
   struct Part {
     Kind kind;
     std::int32_t number;
-    Interval y;
   };
 
   void add(Kind kind, std::int32_t number, const BoundsOf<3>& bounds);
@@ -41,8 +40,8 @@ class BodyChords {
 
   const BodySurface* shape_;
   std::vector<Part> parts_;
-  std::vector<Interval> x_;  ///< of each part
-  Bands bands_;              ///< of the parts, by x
+  std::vector<Interval> x_, y_;  ///< of each part
+  Tiles tiles_;                  ///< of the parts, as lines see them
 };
 
 }  // namespace supple
