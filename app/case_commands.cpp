@@ -135,7 +135,7 @@ std::optional<InitialState> load_initial(const Case& c) {
 
 std::optional<InitialState> load_initial(const Case& c, const std::string& copy) {
   if (copy.empty()) return std::nullopt;
-  if (!c.initial.packing.empty()) return as_initial(read_packing_json(copy));
+  if (!c.initial.packing.empty()) return as_initial(read_any_packing_json(copy));
   return read_state(copy);
 }
 

@@ -21,7 +21,7 @@ inline Case case_of(const std::string& text) {
 class ContinuedRun : public TemporaryFolder {
  protected:
   InitialState load(const std::string& name) const {
-    return name.ends_with("_packing.json") ? as_initial(read_packing_json(in_folder(name)))
+    return name.ends_with("_packing.json") ? as_initial(read_any_packing_json(in_folder(name)))
                                            : read_state(in_folder(name));
   }
   /// Runs the case from `state` (a file of this folder; empty: from nothing) into the file `name`, as the

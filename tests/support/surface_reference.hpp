@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "supple/build/surfaces.hpp"
 #include "supple/io/state/packing_file.hpp"
 #include "tests/paths.hpp"
 
