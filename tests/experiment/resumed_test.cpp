@@ -15,7 +15,8 @@ namespace {
 struct Killed {};
 
 /// Dies at every n-th safe point with what it has recorded, and goes on from there.
-class Mortal : public MemoryRecorder {
+template <int Dim>
+class Mortal : public MemoryRecorderOf<Dim> {
  public:
   explicit Mortal(long every) : every_(every) {}
 
@@ -46,15 +47,17 @@ class Mortal : public MemoryRecorder {
   std::optional<Kept> kept_;
 };
 
-std::map<std::string, double> last_values(const MemoryRecorder& recorder) {
+template <int Dim>
+std::map<std::string, double> last_values(const MemoryRecorderOf<Dim>& recorder) {
   std::map<std::string, double> last;
   for (const auto& [group, values] : recorder.values)
-    for (const MemoryRecorder::Value& value : values)
+    for (const auto& value : values)
       if (value.name.name != "cpu_time") last[group + "/" + value.name.name] = value.value;
   return last;
 }
 
-void expect_same_runs(const MemoryRecorder& a, const MemoryRecorder& b) {
+template <int Dim>
+void expect_same_runs(const MemoryRecorderOf<Dim>& a, const MemoryRecorderOf<Dim>& b) {
   ASSERT_EQ(a.tables.size(), b.tables.size());
   for (const auto& [name, table] : a.tables) {
     const auto& rows = b.tables.at(name).rows;
@@ -70,7 +73,7 @@ void expect_same_runs(const MemoryRecorder& a, const MemoryRecorder& b) {
   ASSERT_EQ(first.size(), second.size());
   for (const auto& [name, value] : first)
     EXPECT_TRUE(testing::same_bits(std::vector{value}, std::vector{second.at(name)})) << name;
-  System<2> last = a.last_system, other = b.last_system;
+  System<Dim> last = a.last_system, other = b.last_system;
   drop_open(last.pairs, last.state.size());
   drop_open(other.pairs, other.state.size());
   testing::expect_same(last, other);
@@ -104,6 +107,12 @@ step = 0.01
 pressure = 1e-3
 )";
 
+const std::string loose = R"(
+[jamming]
+packing_fraction = 0.05
+pressure = 1e-3
+)";
+
 const Named cases[] = {
     {"oscillation", "experiment = \"oscillatory_shear\"\n" + discs + "energies = true\n"},
     {"oscillation_of_the_package",
@@ -133,6 +142,13 @@ const Named cases[] = {
                                    "10\n[minimise]\nmethod = \"fire\"\n"},
     {"compression", "experiment = \"compression\"\n" + shells +
                         "[compression]\nhighest_pressure = 1e-2\nper_decade = 2\ndecompress = true\n"},
+    {"jam_in_3d", "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = 12\n" + loose},
+    {"jam_of_rigid_surfaces",
+     "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = "
+     "12\nfamily = \"rough_sphere\"\n" +
+         loose},
+    {"compression_in_3d", "experiment = \"compression\"\n[bodies]\ndim = 3\nN = 8\nfamily = \"sphere\"\n" +
+                              loose + "[compression]\nhighest_pressure = 1e-2\nper_decade = 2\n"},
     {"uniaxial_compression",
      "experiment = \"uniaxial_compression\"\n[bodies]\nN = 6\nvertices = "
      "8\n[uniaxial]\nstrain = 0.1\nstep = 0.01\npressure = 1e-3\n"},
@@ -140,6 +156,15 @@ const Named cases[] = {
      "experiment = \"slump\"\n[bodies]\nN = 6\nvertices = 8\n[slump]\nsettle_time = 15\nspread_time "
      "= 12\n"},
 };
+
+/// Calls `test` with Dim, as Dimensions<Dim>.
+template <int Dim>
+struct Dimensions {};
+template <class Test>
+void in_its_dimensions(const Case& c, Test&& test) {
+  if (c.bodies.dimensions == 2) test(Dimensions<2>{});
+  else test(Dimensions<3>{});
+}
 
 class Resumed : public ::testing::TestWithParam<Named> {
  protected:
@@ -153,30 +178,34 @@ class Resumed : public ::testing::TestWithParam<Named> {
 
 TEST_P(Resumed, GoesOnBitForBitHoweverOftenItDies) {
   const Case c = make_case();
-  Mortal whole(0);
-  ASSERT_EQ(whole.live(c), 0);
-  ASSERT_GT(whole.seen, 8);
-  for (const long every : {whole.seen / 7, 2 * whole.seen / 3}) {
-    Mortal mortal(every);
-    // It passes the safe point where it died once more.
-    EXPECT_EQ(mortal.live(c), 1 + (whole.seen - every) / (every - 1));
-    expect_same_runs(whole, mortal);
-  }
+  in_its_dimensions(c, [&]<int Dim>(Dimensions<Dim>) {
+    Mortal<Dim> whole(0);
+    ASSERT_EQ(whole.live(c), 0);
+    ASSERT_GT(whole.seen, 8);
+    for (const long every : {whole.seen / 7, 2 * whole.seen / 3}) {
+      Mortal<Dim> mortal(every);
+      // It passes the safe point where it died once more.
+      EXPECT_EQ(mortal.live(c), 1 + (whole.seen - every) / (every - 1));
+      expect_same_runs<Dim>(whole, mortal);
+    }
+  });
 }
 
 TEST_P(Resumed, GoesOnWithAnotherNumberOfThreads) {
   const Case c = make_case();
-  Mortal whole(0);
-  whole.live(c);
-  Mortal mortal(whole.seen / 2);
-  try {
-    run(c, nullptr, mortal);
-  } catch (const Killed&) {
-  }
-  Case wider = c;
-  wider.general.threads = 2;
-  mortal.live(wider);
-  expect_same_runs(whole, mortal);
+  in_its_dimensions(c, [&]<int Dim>(Dimensions<Dim>) {
+    Mortal<Dim> whole(0);
+    whole.live(c);
+    Mortal<Dim> mortal(whole.seen / 2);
+    try {
+      run(c, nullptr, mortal);
+    } catch (const Killed&) {
+    }
+    Case wider = c;
+    wider.general.threads = 2;
+    mortal.live(wider);
+    expect_same_runs<Dim>(whole, mortal);
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Experiments, Resumed, ::testing::ValuesIn(cases),

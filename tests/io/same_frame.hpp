@@ -9,7 +9,8 @@
 
 namespace supple::testing {
 
-inline void expect_same(const Frame<2>& a, const Frame<2>& b) {
+template <int Dim>
+void expect_same(const Frame<Dim>& a, const Frame<Dim>& b) {
   EXPECT_EQ(a.step, b.step);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.strain, b.strain);
@@ -26,7 +27,7 @@ inline void expect_same(const Frame<2>& a, const Frame<2>& b) {
   EXPECT_EQ(a.numbers, b.numbers);
   ASSERT_EQ(a.contacts.size(), b.contacts.size());
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
-    const ContactRow<2> &x = a.contacts[c], &y = b.contacts[c];
+    const ContactRow<Dim>&x = a.contacts[c], &y = b.contacts[c];
     EXPECT_EQ(std::tie(x.first, x.second, x.state, x.elongation, x.elongation_back, x.normal_force,
                        x.tangential_force, x.elastic, x.viscous),
               std::tie(y.first, y.second, y.state, y.elongation, y.elongation_back, y.normal_force,
