@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "supple/core/error.hpp"
+#include "supple/draw/canvas/png.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 namespace supple {
@@ -71,6 +72,19 @@ TEST_F(CanvasTest, WritesVectorFormats) {
   EXPECT_THAT(content_of(in_folder("a.pdf")), HasSubstr("%%EOF"));
   EXPECT_THAT(content_of(in_folder("a.ps")), StartsWith("%!PS-Adobe"));
   EXPECT_THAT(content_of(in_folder("a.ps")), HasSubstr("%%EOF"));
+}
+
+TEST_F(CanvasTest, AnImageKeepsItsPixels) {
+  const std::vector<std::uint32_t> part{0x102030, 0xffeedd, 0x010101, 0x00ff00};
+  Canvas canvas(in_folder("a.png"), 6 * 72 / 200.0, 4 * 72 / 200.0, 200);
+  canvas.image({2.2 * 72 / 200, 0.9 * 72 / 200}, {part.data(), 2, 2, 2}, 200);
+  canvas.finish();
+  std::vector<std::uint32_t> page(6 * 4, 0xffffff);
+  page[1 * 6 + 2] = part[0];
+  page[1 * 6 + 3] = part[1];
+  page[2 * 6 + 2] = part[2];
+  page[2 * 6 + 3] = part[3];
+  EXPECT_EQ(content_of(in_folder("a.png")), encode_png({page.data(), 6, 4, 6}));
 }
 
 TEST_F(CanvasTest, LeavesNothingBesideTheFile) {

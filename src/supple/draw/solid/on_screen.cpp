@@ -55,7 +55,7 @@ OnScreen::OnScreen(const SolidScene& scene, const SolidWindow& window, int sampl
       cuts_.push_back({n[2] > 0 ? ScreenCut::Lies::near : ScreenCut::Lies::far,
                        -scale * rest / n[2],
                        {-n[0] / n[2], n[1] / n[2]},
-                       brightness(n)});
+                       0.5 + 0.5 * brightness(n)});
     }
   }
 }

@@ -39,7 +39,7 @@ struct ScreenCut {
   enum class Lies { near, far, along } lies;
   double at_0;
   Vec2 slope;
-  double light;  ///< brightness() of what is cut there
+  double light;  ///< how bright what is cut there is: half as shaded as other surfaces
 
   double beyond(double x, double y) const { return at_0 + slope[0] * x + slope[1] * y; }
 };

@@ -31,6 +31,7 @@ struct SolidTriangle {
 /// How particles that reach through the sides of a periodic cell are shown. `whole`: each once, where its
 /// middle lies in the cell, and sticking out of it. `cut`: all of its images that reach into the cell, cut at
 /// the sides: what the cell holds, and the cell looks as full as it is.
+/// Of few particles `whole` leaves holes at the sides even where they are jammed.
 enum class Images { whole, cut };
 
 /// What a picture shows, where it is shown: nothing is wrapped or repeated any more. Triangles and spheres
@@ -55,12 +56,12 @@ enum class Skin { inflated, vertices, bare };
 
 /// The particles of a system, moved by lattice vectors until the mean of the sites of each lies in the
 /// leaning cell (drawn_cell.hpp).
-SolidScene solid_scene_of(const System<3>& system, Images images = Images::whole, Skin skin = Skin::inflated);
+SolidScene solid_scene_of(const System<3>& system, Images images = Images::cut, Skin skin = Skin::inflated);
 
 /// The same from arrays over sites, which belong to bodies and triangles as in Topology. Throws an input
 /// error where they do not fit together.
 SolidScene solid_scene_of(const Box<3>& box, const Topology<3>& topology, std::span<const Vec3> position,
-                          std::span<const double> radius, Images images = Images::whole,
+                          std::span<const double> radius, Images images = Images::cut,
                           Skin skin = Skin::inflated);
 
 /// Throws an input error ("cannot draw 'PATH'") where there is nothing to draw, indices lead nowhere, a
