@@ -36,7 +36,7 @@ struct Outcome {
   double energy = 0;
 };
 
-constexpr int steps = 600;
+constexpr int steps = 400;
 
 Outcome sheared(System<3> system, const ForceField<3>& field) {
   Mover dynamics(field);
@@ -62,7 +62,7 @@ void expect_same(const Outcome& a, const Outcome& expected, const Vec3& shift = 
   EXPECT_NEAR(a.energy, expected.energy, 1e-9 * expected.energy);
 }
 
-TEST(ShearedSurfaces, ShiftOfTheOriginAndMotionOfAllChangeNothing) {
+TEST(ShearedSurfaces, ShiftOfTheOriginAndImagesOfStrainChangeNothing) {
   const System<3> start = sheared_packing(0.2);
   for (const bool rough : {true, false}) {
     const ForceField<3> field = rough ? rough_surfaces() : smooth_surfaces();
@@ -79,6 +79,7 @@ TEST(ShearedSurfaces, ShiftOfTheOriginAndMotionOfAllChangeNothing) {
     wrap_bodies(shifted);
     expect_same(sheared(shifted, field), reference, shift + Vec3{shift[gradient] * strain, 0, 0});
 
+    if (!rough) continue;
     for (const int images : {1, -3}) {
       System<3> again = start;
       again.box.strain += images * start.box.length[flow] / start.box.length[gradient];
@@ -101,7 +102,7 @@ TEST(ShearedSurfaces, AMotionOfAllChangesNothing) {
     return Outcome{system, out.virial, out.energy.stored()};
   };
   const Outcome reference = undamped(start);
-  const Vec3 velocity{0.7, 0.9, -1.1};  // about a cell
+  const Vec3 velocity{1.1, 1.4, -1.6};  // about a cell
   System<3> moving = start;
   for (Vec3& v : moving.state.velocity) v += velocity;
   expect_same(undamped(moving), reference, (0.01 * steps) * velocity);
@@ -167,8 +168,6 @@ TEST(ShearedSurfaces, EnergyBalanceClosesToSecondOrder) {
     return std::sqrt(squares);
   };
   const double coarse = residual(50), fine = residual(100), finer = residual(200);
-  std::printf("residuals %.4g %.4g %.4g, ratios %.3f %.3f\n", coarse, fine, finer, coarse / fine,
-              fine / finer);
   EXPECT_NEAR(coarse / fine, 4, 0.6);
   EXPECT_NEAR(fine / finer, 4, 0.6);
 }

@@ -1,14 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/solve/body_objective.hpp"
-#include "tests/support/dense.hpp"
 #include "tests/support/moving_surfaces.hpp"
 
 namespace supple {
@@ -106,47 +103,6 @@ TEST_P(MovingSurfaces, RunBackwards) {
   EXPECT_LT(largest(before, system.state.position), 1e-11);
 }
 
-/// The lowest mode with a stiffness, one in the middle and the stiffest of an undeformed shell, in which
-/// nothing is under stress.
-TEST(MovingSurface, OscillatesAtTheFrequencyOfItsMode) {
-  System<3> rest;
-  rest.box.length = {10, 10, 10};
-  add_shell(rest, 42, {5, 5, 5}, 1.7);
-  ForceField<3> field = rough_surfaces();
-  BodyObjective<3> objective(rest, field, {});
-  SparseMatrix lower;
-  objective.hessian(objective.coordinates(), lower);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(testing::dense(lower));
-  ASSERT_LT(modes.eigenvalues()[5], 1e-12);
-  ASSERT_GT(modes.eigenvalues()[6], 1e-3);
-  for (const int k : {6, 7, 70, 124, 125}) {
-    const double omega = std::sqrt(modes.eigenvalues()[k] / 1.7), dt = 0.02 / omega;
-    System<3> system = rest;
-    const auto mode = [&](int i) {
-      return Vec3{modes.eigenvectors()(3 * i, k), modes.eigenvectors()(3 * i + 1, k),
-                  modes.eigenvectors()(3 * i + 2, k)};
-    };
-    const auto amplitude = [&] {
-      double sum = 0;
-      for (int i = 0; i < 42; ++i) sum += dot(mode(i), system.state.position[i] - rest.state.position[i]);
-      return sum;
-    };
-    for (int i = 0; i < 42; ++i) system.state.position[i] += 1e-6 * mode(i);
-    Mover dynamics(field);
-    double before = amplitude(), first = -1, last = 0;
-    for (int crossings = 0; crossings < 21;) {
-      dynamics.advance(system, dt);
-      const double now = amplitude();
-      if ((before > 0) != (now > 0)) {
-        last = system.time - dt * now / (now - before);
-        if (crossings++ == 0) first = last;
-      }
-      before = now;
-    }
-    EXPECT_NEAR(20 * std::numbers::pi / (last - first), omega, 1e-4 * omega) << k;
-  }
-}
-
 TEST(MovingSurface, OfAPackingComesToRestAtTheEnergyOfTheMinimiser) {
   for (const bool rough : {true, false}) {
     ForceField<3> field = rough ? rough_surfaces() : smooth_surfaces();
@@ -201,7 +157,6 @@ TEST(MovingSurface, InABoxStandsOnTheFloorWithItsWeight) {
     for (const double m : system.state.mass) weight += m * g;
     const double height = mean_height(system);
     for (int k = 0; k < 16000; ++k) dynamics.advance(system, dt);
-    std::printf("%g %g\n", system.time, kinetic_energy(system).total());
     EXPECT_LT(kinetic_energy(system).total(), 1e-12);
     Vec3 on_walls{};
     double floor = 0;
@@ -209,7 +164,6 @@ TEST(MovingSurface, InABoxStandsOnTheFloorWithItsWeight) {
       on_walls += wall.force;
       if (direction_of(wall) == gradient) floor += wall.force[gradient];
     }
-    std::printf("floor %.10g weight %.10g time %g\n", floor, weight, system.time);
     EXPECT_NEAR(floor, weight, 1e-6 * weight);
     EXPECT_LT(norm(on_walls - Vec3{0, weight, 0}), 1e-6 * weight);
     EXPECT_LT(mean_height(system), height - 0.1);

@@ -6,6 +6,7 @@
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/key_sets.hpp"
+#include "supple/experiment/problems.hpp"
 #include "supple/experiment/sheared_bodies.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/experiment/suspension.hpp"
@@ -18,14 +19,16 @@ namespace {
 constexpr std::int64_t rows = 1000;
 
 /// The packing with the velocities that the case asks for.
-Packing<2> moving_packing(const Case& c, const InitialState* initial, const Making& making) {
-  Packing<2> packing = make_packing(c, initial, c.jamming.packing_fraction, making);
+template <int Dim>
+Packing<Dim> moving_packing(const Case& c, const InitialState* initial, const Making& making) {
+  Packing<Dim> packing = make_packing<Dim>(c, initial, c.jamming.packing_fraction, making);
   if (c.motion.kinetic_energy > 0 && (!initial || c.is_given("motion.kinetic_energy")))
     draw_velocities(packing.system, c.motion.kinetic_energy, c.general.seed);
   return packing;
 }
 
-std::vector<Derived> derived_motion(const Case& c, const Packing<2>& packing, double time_step) {
+template <int Dim>
+std::vector<Derived> derived_motion(const Case& c, const Packing<Dim>& packing, double time_step) {
   std::vector<Derived> all = derived_packing(packing);
   all.push_back({{"time_step", "", "time step"}, time_step});
   all.push_back({{"steps", "", "steps"}, static_cast<double>(c.time.steps)});
@@ -34,20 +37,30 @@ std::vector<Derived> derived_motion(const Case& c, const Packing<2>& packing, do
 
 bool is_sheared(const Case& c) { return c.shear.rate != "0"; }
 
+void check_shear(const Case& c, Problems& problems) {
+  if (c.bodies.dimensions == 3 && is_sheared(c))
+    add_problem(problems, c, "shear.rate with bodies.dim = 3", "particles are sheared in two dimensions",
+                "set shear.rate = \"0\"");
+}
+
+template <int Dim>
 std::vector<Derived> derive_body_dynamics(const Case& c, const InitialState* initial) {
-  if (is_sheared(c)) return derive_sheared_dynamics(c, initial);
-  Packing<2> packing = moving_packing(c, initial, set_apart);
+  if constexpr (Dim == 2)
+    if (is_sheared(c)) return derive_sheared_dynamics(c, initial);
+  Packing<Dim> packing = moving_packing<Dim>(c, initial, set_apart);
   return derived_motion(c, packing, body_time_step(c, packing, initial, conserving_step));
 }
 
+template <int Dim>
 void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& recorder) {
-  if (is_sheared(c)) return run_sheared_dynamics(c, initial, recorder);
-  Packing<2> packing = moving_packing(c, initial, at_random(recorder));
-  System<2>& s = packing.system;
+  if constexpr (Dim == 2)
+    if (is_sheared(c)) return run_sheared_dynamics(c, initial, recorder);
+  Packing<Dim> packing = moving_packing<Dim>(c, initial, at_random(recorder));
+  System<Dim>& s = packing.system;
   start_clock(s, c, recorder);
   double dt = body_time_step(c, packing, initial, conserving_step);
   std::int64_t step = 0;
-  LastGood<2> good(packing);
+  LastGood<Dim> good(packing);
   const Keep keep = [&](Keeper& k) {
     k("packing", packing);
     k("good", good);
@@ -82,7 +95,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
   }
   recorder.progress("dynamics", steps, steps);
   recorder.append("motion", motion_row(packing, dynamics.evaluate_energies(s)));
-  record_packing(packing, {}, recorder, surroundings);
+  record_packing(packing, JamProgress<Dim>{}, recorder, surroundings);
 }
 
 }  // namespace
@@ -111,8 +124,8 @@ Experiment body_dynamics() {
             "shear.rate: particles rub, and may be linked, where the cell is sheared"},
            {"contact.k_p contact.floor_friction", Need::Of::start, [](const Case&) { return false; },
             "walls: dynamics has those of the file that it starts from"}},
-      .derive = derive_body_dynamics,
-      .run = run_body_dynamics,
+      .derive = {derive_body_dynamics<2>, derive_body_dynamics<3>},
+      .run = {run_body_dynamics<2>, run_body_dynamics<3>},
       .figure = [](const Case& c) { return c.time.steps > 0 ? Figure::motion : Figure::none; },
       .first_keys = {"experiment", "physics", "seed", "bodies.family", "bodies.N", "jamming.packing_fraction",
                      "motion.kinetic_energy", "time.steps"},
@@ -122,6 +135,7 @@ Experiment body_dynamics() {
             c.jamming.packing_fraction = 0.6;
             c.motion.kinetic_energy = 1e-5;
           },
+      .check = check_shear,
       .keeps_step = true};
 }
 

@@ -81,11 +81,14 @@ Frame<2> frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRat
   return frame;
 }
 
-void start_clock(System<2>& system, const Case& c, const Recorder& recorder) {
+template <int Dim>
+void start_clock(System<Dim>& system, const Case& c, const Recorder& recorder) {
   if (c.initial.keep_time || resumed_part(recorder) == sheared_part) return;
   system.time = 0;
   system.step = 0;
 }
+template void start_clock(System<2>&, const Case&, const Recorder&);
+template void start_clock(System<3>&, const Case&, const Recorder&);
 
 void record_constants(const Suspension& s, const InitialState* initial, const std::vector<Derived>& derived,
                       Recorder& recorder) {

@@ -64,7 +64,8 @@ Frame<2> frame_of(const Suspension& s, const Evaluation<2>& evaluation, ShearRat
 
 /// Sets time and step to 0, unless the case goes on with those of its state (initial.keep_time), or a run
 /// goes on.
-void start_clock(System<2>& system, const Case& c, const Recorder& recorder);
+template <int Dim>
+void start_clock(System<Dim>& system, const Case& c, const Recorder& recorder);
 
 /// The cell of the case, in `units`.
 Box<2> make_box(const Case& c, const Units& units);
