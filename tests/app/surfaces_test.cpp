@@ -1,0 +1,82 @@
+/// The command on deformable particles in three dimensions.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.hpp"
+#include "tests/paths.hpp"
+
+namespace supple {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Surfaces : public CommandTest {
+ protected:
+  json shown(const std::string& run) { return json::parse(supple("show " + run + " --json").out); }
+};
+
+/// What an independent program found for each packing, from a run of zero steps that starts from its file:
+/// energies by term, stress and pressure in the units of the file (tests/data/surfaces).
+TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfTheReferences) {
+  for (const std::string name : {"shells4_12_rough", "shells4_42_rough", "shells4_42_smooth"}) {
+    SCOPED_TRACE(name);
+    const std::string file = std::string(SUPPLE_TEST_DATA) + "/surfaces/" + name + ".json";
+    const json reference = json::parse(read_text(file))["expected"];
+    write(name + ".toml", "experiment = \"dynamics\"\n[initial]\npacking = \"" + file +
+                              "\"\n[time]\nsteps = 0\n[output]\nsnapshot = false\nplot = false\n");
+    const Outcome run = supple("run " + name + ".toml");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json results = shown(name + ".h5")["results"];
+    const auto result = [&](const std::string& key) { return results[key]["value"].get<double>(); };
+
+    double largest = 0;
+    for (const auto& [term, energy] : reference["energy"].items())
+      largest = std::max(largest, std::abs(energy.get<double>()));
+    for (const auto& [term, energy] : reference["energy"].items())
+      EXPECT_NEAR(result("energy_" + term), energy.get<double>(), 1e-10 * largest) << term;
+    largest = 0;
+    for (const auto& row : reference["stress"])
+      for (const double s : row) largest = std::max(largest, std::abs(s));
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j)
+        EXPECT_NEAR(result(std::string("stress_") + "xyz"[i] + "xyz"[j]), reference["stress"][i][j],
+                    1e-10 * largest);
+    EXPECT_NEAR(result("pressure"), reference["pressure"], 1e-10 * largest);
+  }
+}
+
+TEST_F(Surfaces, AreJammedShownDrawnAndExported) {
+  write("jam.toml",
+        "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = 12\n[jamming]\n"
+        "packing_fraction = 0.05\npressure = 1e-3\n");
+  const Outcome run = supple("run jam.toml");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(exists("jam.h5") && exists("jam_pressure.png") && exists("jam_cell.png"));
+  EXPECT_THAT(run.out, HasSubstr("4 particles (shell), 4 of them surfaces, with 48 vertices"));
+  const json j = shown("jam.h5");
+  EXPECT_EQ(j["surfaces"], 4);
+  EXPECT_EQ(j["results"]["pressure"]["unit"], "k_v v0");
+  for (const char* command : {"snapshot jam.h5 --view x --color pressure -o x.png", "export jam.h5 --to vtp",
+                              "export jam.h5 --to xyz", "export jam.h5 --to csv",
+                              "export jam.h5 --to contacts", "export jam.h5 --to packing"}) {
+    const Outcome done = supple(command);
+    EXPECT_EQ(done.code, 0) << command << done.err;
+  }
+  EXPECT_EQ(supple("export jam.h5 --to state").code, 2);
+  EXPECT_THAT(supple("snapshot jam.h5 --view top -o y.png").err, HasSubstr("top"));
+}
+
+TEST_F(Surfaces, MistakesAreErrorsBeforeAnythingIsWritten) {
+  write("jam.toml", "experiment = \"jamming\"\n[bodies]\ndim = 3\nvertices = 50\n");
+  const Outcome run = supple("run jam.toml");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("jam.toml"), HasSubstr("bodies.vertices = 50"), HasSubstr("take 42")));
+  EXPECT_EQ(entries(), 1);
+}
+
+}  // namespace
+}  // namespace supple
