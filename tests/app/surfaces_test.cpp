@@ -16,6 +16,20 @@ using testing::HasSubstr;
 
 class Surfaces : public CommandTest {
  protected:
+  /// The results of a run of zero steps that starts from the reference of this name.
+  json results_of_reference(const std::string& name) {
+    write(name + ".toml", "experiment = \"dynamics\"\n[initial]\npacking = \"" + reference_path(name) +
+                              "\"\n[time]\nsteps = 0\n[output]\nsnapshot = false\nplot = false\n");
+    const Outcome run = supple("run " + name + ".toml");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return shown(name + ".h5")["results"];
+  }
+  static json expected_of(const std::string& name) {
+    return json::parse(read_text(reference_path(name)))["expected"];
+  }
+  static std::string reference_path(const std::string& name) {
+    return std::string(SUPPLE_TEST_DATA) + "/surfaces/" + name + ".json";
+  }
   json shown(const std::string& run) { return json::parse(supple("show " + run + " --json").out); }
 };
 
@@ -24,13 +38,7 @@ class Surfaces : public CommandTest {
 TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfTheReferences) {
   for (const std::string name : {"shells4_12_rough", "shells4_42_rough", "shells4_42_smooth"}) {
     SCOPED_TRACE(name);
-    const std::string file = std::string(SUPPLE_TEST_DATA) + "/surfaces/" + name + ".json";
-    const json reference = json::parse(read_text(file))["expected"];
-    write(name + ".toml", "experiment = \"dynamics\"\n[initial]\npacking = \"" + file +
-                              "\"\n[time]\nsteps = 0\n[output]\nsnapshot = false\nplot = false\n");
-    const Outcome run = supple("run " + name + ".toml");
-    ASSERT_EQ(run.code, 0) << run.err;
-    const json results = shown(name + ".h5")["results"];
+    const json reference = expected_of(name), results = results_of_reference(name);
     const auto result = [&](const std::string& key) { return results[key]["value"].get<double>(); };
 
     double largest = 0;
@@ -46,6 +54,17 @@ TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfTheReferences) {
         EXPECT_NEAR(result(std::string("stress_") + "xyz"[i] + "xyz"[j]), reference["stress"][i][j],
                     1e-10 * largest);
     EXPECT_NEAR(result("pressure"), reference["pressure"], 1e-10 * largest);
+  }
+}
+
+/// A particle alone, at rest.
+TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
+  for (const std::string name : {"single_shell_42", "single_floppy_42", "single_droplet_42"}) {
+    SCOPED_TRACE(name);
+    const json reference = expected_of(name), results = results_of_reference(name);
+    EXPECT_NEAR(results["energy"]["value"], reference["energy"], 1e-12);
+    EXPECT_NEAR(results["mean_shape_parameter"]["value"], reference["shape_parameter"], 1e-10);
+    EXPECT_LT(results["residual"]["value"], 1e-12);
   }
 }
 
