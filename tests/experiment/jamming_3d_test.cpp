@@ -179,12 +179,12 @@ TEST(JammedRigidSurfaces, AreIsostaticAndHaveNoFreeMotion) {
     sample.seed = 4;
     Packing<3> packing = packing_of(case_of({"rigid", "rough", vertices, {}}), random_surfaces(sample));
     const System<3> before = packing.system;
+    ASSERT_EQ(before.rigid.size(), 8);
     JamSpec wanted;
     wanted.pressure = 1e-7;
     wanted.step = 0.01;
     ASSERT_TRUE(in_window(wanted, jam(packing, wanted).state.pressure));
     System<3>& s = packing.system;
-    ASSERT_EQ(s.rigid.size(), 8);
     BodyContacts<3>& law = *packing.field->bodies();
     const auto contacts = site_contacts(s, law.records(s), law.laws());
     const std::vector<std::uint8_t> rattlers = find_rattlers(s, contacts);
