@@ -157,7 +157,7 @@ void add_run_commands(CLI::App& app, Options& o) {
       ->add_option(
           "--cells", o.cells,
           "With vtp: polygons (vertices); outlines (with the discs on vertices); triangles (of the outlines: "
-          "right areas of particles that are not convex)")
+          "right areas of particles that are not convex). In 3D those of surfaces, by either name")
       ->type_name("CELLS")
       ->each([](const std::string& name) {
         command::check_choice("--cells", name, {"polygons", "outlines", "triangles"});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "supple/core/error.hpp"
 #include "tests/io/body_run.hpp"
 #include "tests/io/sample_run.hpp"
 
@@ -30,6 +31,13 @@ TEST(FrameScene, ContactsBearTheSizeOfTheirForce) {
   EXPECT_EQ(scene.contacts[1].first, 4);
   EXPECT_EQ(scene.contacts[1].second, 6);
   EXPECT_DOUBLE_EQ(scene.contacts[1].force, 0.5);
+}
+
+TEST(FrameScene, ContactsOfSitesThatAreNotThereAreRefused) {
+  Scene scene = scene_of(body_info(), body_frame(0));
+  EXPECT_NO_THROW(check_scene(scene, "a.png"));
+  scene.contacts[1].second = 8;
+  EXPECT_THROW(check_scene(scene, "a.png"), Error);
 }
 
 TEST(FrameScene, FractionAndPressureOfTheCellAreSumsOverItsBodies) {

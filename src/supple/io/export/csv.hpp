@@ -19,7 +19,8 @@ void export_csv(const RunFile& run, const std::string& path, Existing existing =
 void export_energy(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 /// Writes a row for every contact of every frame: the two sites, the state, the elongation, forces and their
-/// parts, in SI or, for deformable particles, the units of the run.
+/// parts, and the components of the force on the first site (two or, in 3D, three), in SI or, for deformable
+/// particles, the units of the run.
 void export_contacts(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 /// Writes a run of discs with one row per frame, in the columns of the published package's trajectories:
@@ -27,7 +28,7 @@ void export_contacts(const RunFile& run, const std::string& path, Existing exist
 /// if the run kept them; both shear stresses; the numbers of elementary forces
 /// (StressTensors::pair_register); neighbours as i>j:state:elongation, joined by semicolons, ascending, each
 /// pair from both sides. Units are micrometre, mg and s (forces 1e-12 N/m), stresses in Pa. Throws a file
-/// error where the run has no table "stress" or that has no row for a frame.
+/// error where the run is of three dimensions, has no table "stress" or that has no row for a frame.
 void export_trajectory(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 }  // namespace supple
