@@ -194,7 +194,7 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
 template <int Dim>
 double covered_fraction(const Packing<Dim>& packing) {
   if constexpr (Dim == 3)
-    return packing_fraction(packing.system, packing.outline, {.relative_error = 3e-4}).total;
+    return packing_fraction(packing.system, packing.outline, {.relative_error = 1e-3}).total;
   else if (packing.outline == Outline::rough) return rough_sum(packing.system).total;
   else return packing_fraction(packing.system, packing.outline).total;
 }

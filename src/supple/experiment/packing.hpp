@@ -149,7 +149,7 @@ template <int Dim>
 double least_energy(Packing<Dim>& packing, double pressure);
 
 /// The packing fraction as it is now; for rough particles by rough_sum(), which is much faster and as good
-/// unless overlaps are deep; in 3D with a standard error of 3e-4 of itself where it is not exact.
+/// unless overlaps are deep; in 3D with a standard error of a thousandth where it is not exact.
 template <int Dim>
 double covered_fraction(const Packing<Dim>& packing);
 
