@@ -133,12 +133,9 @@ void print_packed_surfaces() {
     }
   }
   fmt::print(
-      "  sites: System::state. meshes: topology and preferred shapes. rows: the pair table, of whole bodies "
-      "near "
-      "each other.\n"
-      "  forces: forces and torques. allocated: all of these, the neighbour list, what contacts keep, and "
-      "spare "
-      "room.\n");
+      "  sites: System::state. meshes: topology and preferred shapes. rows: the pair table. forces: and "
+      "torques.\n"
+      "  allocated: all of these, the neighbour list, what contacts keep, and spare room.\n");
 }
 
 }  // namespace
