@@ -14,7 +14,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-class Surfaces : public CommandTest {
+class SurfaceCommand : public CommandTest {
  protected:
   /// The results of a run of zero steps that starts from the reference of this name.
   json results_of_reference(const std::string& name) {
@@ -35,7 +35,7 @@ class Surfaces : public CommandTest {
 
 /// What an independent program found for each packing, from a run of zero steps that starts from its file:
 /// energies by term, stress and pressure in the units of the file (tests/data/surfaces).
-TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfTheReferences) {
+TEST_F(SurfaceCommand, ARunOfNoStepsHasTheNumbersOfTheReferences) {
   for (const std::string name : {"shells4_12_rough", "shells4_42_rough", "shells4_42_smooth"}) {
     SCOPED_TRACE(name);
     const json reference = expected_of(name), results = results_of_reference(name);
@@ -58,7 +58,7 @@ TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfTheReferences) {
 }
 
 /// A particle alone, at rest.
-TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
+TEST_F(SurfaceCommand, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
   for (const std::string name : {"single_shell_42", "single_floppy_42", "single_droplet_42"}) {
     SCOPED_TRACE(name);
     const json reference = expected_of(name), results = results_of_reference(name);
@@ -68,7 +68,7 @@ TEST_F(Surfaces, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
   }
 }
 
-TEST_F(Surfaces, AreJammedShownDrawnAndExported) {
+TEST_F(SurfaceCommand, AreJammedShownDrawnAndExported) {
   write("jam.toml",
         "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = 12\n[jamming]\n"
         "packing_fraction = 0.05\npressure = 1e-3\n");
@@ -89,7 +89,7 @@ TEST_F(Surfaces, AreJammedShownDrawnAndExported) {
   EXPECT_THAT(supple("snapshot jam.h5 --view top -o y.png").err, HasSubstr("top"));
 }
 
-TEST_F(Surfaces, MistakesAreErrorsBeforeAnythingIsWritten) {
+TEST_F(SurfaceCommand, MistakesAreErrorsBeforeAnythingIsWritten) {
   write("jam.toml", "experiment = \"jamming\"\n[bodies]\ndim = 3\nvertices = 50\n");
   const Outcome run = supple("run jam.toml");
   EXPECT_EQ(run.code, 2);
