@@ -31,7 +31,12 @@ if grep -q '^\[\[species\]\]' "$2"; then
     bodies="$bodies --set species.$k.N=3 --set species.$k.vertices=8"
   done
 fi
-jam="$bodies --set jamming.packing_fraction=0.4 --set jamming.step=0.02 --set jamming.pressure=1e-3"
+fraction=0.4
+if grep -q '^dim = 3' "$2"; then
+  bodies="--set bodies.N=4 --set bodies.vertices=12"
+  fraction=0.05
+fi
+jam="$bodies --set jamming.packing_fraction=$fraction --set jamming.step=0.02 --set jamming.pressure=1e-3"
 case $kind$deformable$given in
   preparation*) more="--set particles.N=40 --set particles.cut_lines=0" ;;
   oscillatory_shear1*) more="$jam --set shear.periods=2 --set shear.relative_frequency=0.2" ;;

@@ -96,7 +96,6 @@ void check_dimensions(const Case& c, const std::string& section, const ParticleK
 
 void check_kind(const Case& c, const std::string& section, const ParticleKind& p, Problems& problems) {
   const bool flat = c.bodies.dimensions == 2;
-  check_dimensions(c, section, p, problems);
   const double least = least_shape_parameter(c, p);
   if (!is_disc(p) && p.shape_parameter > 0 && p.shape_parameter < least * (1 - 1e-12))
     add_problem(problems, c,
@@ -132,12 +131,15 @@ void check_species(const Case& c, Problems& problems) {
   }
 }
 
-void check_bodies(const Case& c, Start, Problems& problems) {
+void check_bodies(const Case& c, Start start, Problems& problems) {
   if (c.initial.state.empty() && c.initial.packing.empty()) {
     check_cost(c, problems);
     if (problems.empty()) check_widths(c, problems);
   }
-  for (const auto& [section, kind] : kinds_of(c)) check_kind(c, section, *kind, problems);
+  for (const auto& [section, kind] : kinds_of(c)) {
+    if (start == Start::nothing) check_dimensions(c, section, *kind, problems);
+    check_kind(c, section, *kind, problems);
+  }
   if (!is_disc(c.bodies)) check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
   check_species(c, problems);
   check_pairs(c, problems);

@@ -49,6 +49,13 @@ std::size_t behind_jpeg_header(const std::string& bytes) {
   return 4 + static_cast<std::size_t>(byte(4) << 8 | byte(5));
 }
 
+/// Where the sites of the run end.
+template <int Dim>
+void add_last_positions(const RunFile& run, Digest& digest) {
+  for (const Vec<Dim>& x : run.final_state<Dim>().first.state.position)
+    for (int d = 0; d < Dim; ++d) digest.add(x[d]);
+}
+
 constexpr std::size_t png_end = 12;  // bytes of the last chunk, IEND
 
 }  // namespace
@@ -63,8 +70,10 @@ std::string mark_of(const RunFile& run) {
       digest.add(v.name.name);
       digest.add(v.value);
     }
-  if (run.has_final_state())
-    for (const Vec2& x : run.final_state().first.state.position) digest.add(x[0]), digest.add(x[1]);
+  if (run.has_final_state()) {
+    if (run.dimensions() == 2) add_last_positions<2>(run, digest);
+    else add_last_positions<3>(run, digest);
+  }
   return fmt::format("Supple run {:016x}", digest.value());
 }
 
