@@ -66,7 +66,7 @@ void change(Case& c, const std::string& wanted) {
           } else if constexpr (std::is_same_v<Value, bool>) {
             value = !value;
           } else if constexpr (std::is_integral_v<Value>) {
-            value += 2;
+            value += key == "bodies.dim" ? 1 : 2;
           } else {
             const double before = value;
             for (const double other : {0.5 * before, 2 * before, key == "time.step" ? 1e-7 : 0.01})

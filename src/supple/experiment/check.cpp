@@ -42,7 +42,7 @@ void check_matter(const Case& c, Problems& problems) {
 
 /// Refuses an experiment in more dimensions than it can be done in.
 void check_dimensions(const Case& c, Problems& problems) {
-  if (experiment_of(c).run.of(c.bodies.dimensions)) return;
+  if (experiment_of(c).run.of(dimensions_of(c))) return;
   std::vector<std::string> others;
   for (const Experiment& other : experiments())
     if (other.run.of(c.bodies.dimensions)) others.push_back(other.name);

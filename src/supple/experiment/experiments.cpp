@@ -55,11 +55,13 @@ const Experiment& experiment_of(const Case& c) {
   throw input_error("no experiment '" + name + "'");
 }
 
+int dimensions_of(const Case& c) { return uses(c, "bodies.dim") ? c.bodies.dimensions : 2; }
+
 std::vector<Derived> derive(const Case& c, const InitialState* initial) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
   const WithThreads threads(adopted.general.threads);
-  std::vector<Derived> all = experiment_of(adopted).derive.of(adopted.bodies.dimensions)(adopted, initial);
+  std::vector<Derived> all = experiment_of(adopted).derive.of(dimensions_of(adopted))(adopted, initial);
   for (const Derived& d : all)
     if (!std::isfinite(d.value))
       throw input_error(fmt::format("{} of this case would be {}", d.name.name, d.value), d.name.meaning,
@@ -71,7 +73,7 @@ void run(const Case& c, const InitialState* initial, Recorder& recorder) {
   const Case adopted = adopt_state(c, initial);
   check(adopted, initial);
   const WithThreads threads(adopted.general.threads);
-  experiment_of(adopted).run.of(adopted.bodies.dimensions)(adopted, initial, recorder);
+  experiment_of(adopted).run.of(dimensions_of(adopted))(adopted, initial, recorder);
 }
 
 }  // namespace supple

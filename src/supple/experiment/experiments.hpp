@@ -70,6 +70,9 @@ const Experiment* find_experiment(std::string_view name, const Matter& matter);
 /// name. Throws an input error where there is none of that name.
 const Experiment& experiment_of(const Case& c);
 
+/// The dimensions in which its particles move: 2, or bodies.dim where its experiment uses that.
+int dimensions_of(const Case& c);
+
 /// The same as check(c), for a case that starts from `initial`; null: from what [initial] names, if anything.
 void check(const Case& c, const InitialState* initial);
 
