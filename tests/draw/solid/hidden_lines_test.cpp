@@ -90,7 +90,11 @@ TEST(HiddenLines, ASurfaceLeavesNoGapsBetweenItsTriangles) {
 TEST(HiddenLines, OfAnImageAreThePixelsThatAreCovered) {
   SolidImage image{std::vector<std::uint32_t>(20), std::vector<std::uint8_t>(20), 10, 2};
   for (int x = 3; x < 7; ++x) image.covered[10 + x] = 16;
-  EXPECT_THAT(uncovered_parts(image, {0, 1.5}, {10, 1.5}), ElementsAre(FieldsAre(0, 0.3), FieldsAre(0.7, 1)));
+  image.covered[19] = 9;
+  EXPECT_THAT(uncovered_parts(image, {0, 1.5}, {10, 1.5}),
+              ElementsAre(FieldsAre(0, 0.3), FieldsAre(0.7, 0.9)));
+  image.covered[18] = 8;  // leaves one pixel
+  EXPECT_THAT(uncovered_parts(image, {0, 1.5}, {10, 1.5}), ElementsAre(FieldsAre(0, 0.3)));
   EXPECT_EQ(uncovered_parts(image, {0, 0.5}, {10, 0.5}), (Parts{{0, 1}}));
   EXPECT_EQ(uncovered_parts(image, {0, -5}, {10, -5}), (Parts{{0, 1}}));
 }

@@ -123,6 +123,7 @@ std::vector<std::pair<double, double>> uncovered_parts(const SolidImage& image, 
     if (is_shown) parts.back().second = (k + 1.0) / steps;
     goes_on = is_shown;
   }
+  std::erase_if(parts, [&](const auto& part) { return (part.second - part.first) * norm(b - a) < 2; });
   return parts;
 }
 

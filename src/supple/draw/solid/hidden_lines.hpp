@@ -15,8 +15,8 @@ namespace supple {
 std::vector<std::pair<double, double>> visible_parts(const SolidScene& scene, const ViewAxes& axes,
                                                      const Vec3& a, const Vec3& b);
 
-/// The parts of a line between two points of an image [pixel] where more than half of its pixels is white; to
-/// half a pixel.
+/// The parts of a line between two points of an image [pixel] where more than half of its pixels is white, to
+/// half a pixel. Parts shorter than two pixels are left out: the ends of lines at the rim of what is covered.
 std::vector<std::pair<double, double>> uncovered_parts(const SolidImage& image, const Vec2& a, const Vec2& b);
 
 }  // namespace supple
