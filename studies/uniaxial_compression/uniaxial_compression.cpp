@@ -76,8 +76,8 @@ Squeezed squeeze(const Case& c) {
 void draw(const Squeezed& discs, const Squeezed& deformable, const std::string& path) {
   constexpr double size = 200, gap = 30, above = 22;
   Canvas canvas(path, 2 * size + gap + 24, 2 * (size + above + 16), 250);
-  const auto panel = [&](const Squeezed& s, Outline outline, const Frame<2>& frame, double scale, Point corner,
-                         const std::string& title) {
+  const auto panel = [&](const Squeezed& s, Outline outline, const Frame<2>& frame, double scale,
+                         Point corner, const std::string& title) {
     const Panel p{canvas, s.run.info, frame, outline, corner, scale};
     p.draw_particles();
     for (const auto side : {Panel::Side::left, Panel::Side::right, Panel::Side::bottom, Panel::Side::top})

@@ -38,7 +38,8 @@ TEST(Frame, OfPolygons) {
   ForceField<2> field(RoughContacts<2>(Harmonic{3, true}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame =
+      make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   EXPECT_EQ(frame.step, 7);
   EXPECT_EQ(frame.time, 0.5);
   EXPECT_EQ(frame.strain, system.box.strain);
@@ -63,7 +64,8 @@ TEST(Frame, RowsOfSmoothContactsAscend) {
   ForceField<2> field(SmoothContacts(Harmonic{}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame =
+      make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_GT(frame.contacts.size(), 9u);
   expect_ascending(frame.contacts);
 }
@@ -78,7 +80,8 @@ TEST(Frame, CornersHeadOnAreOneRow) {
   ForceField<2> field(SmoothContacts(Harmonic{3, false}));
   Evaluation<2> evaluation;
   field.evaluate(system, Detail::forces, evaluation);
-  const Frame<2> frame = make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
+  const Frame<2> frame =
+      make_frame(system, evaluation, field.bodies()->records(system), field.bodies()->laws());
   ASSERT_EQ(frame.contacts.size(), 1u);
   EXPECT_EQ(frame.contacts[0].first, 2);
   EXPECT_EQ(frame.contacts[0].second, 4);

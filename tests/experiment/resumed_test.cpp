@@ -147,7 +147,7 @@ const Named cases[] = {
      "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = "
      "12\nfamily = \"rough_sphere\"\n" +
          loose},
-    {"compression_in_3d", "experiment = \"compression\"\n[bodies]\ndim = 3\nN = 8\nfamily = \"sphere\"\n" +
+    {"compression_in_3d", "experiment = \"compression\"\n[bodies]\ndim = 3\nN = 16\nfamily = \"sphere\"\n" +
                               loose + "[compression]\nhighest_pressure = 1e-2\nper_decade = 2\n"},
     {"uniaxial_compression",
      "experiment = \"uniaxial_compression\"\n[bodies]\nN = 6\nvertices = "

@@ -28,9 +28,14 @@ inline std::vector<Vec3> vectors_of(const nlohmann::json& list) {
   return all;
 }
 
+/// tests/data/surfaces/NAME.json.
+inline std::string reference_path(const std::string& name) {
+  return std::string(SUPPLE_TEST_DATA) + "/surfaces/" + name + ".json";
+}
+
 /// Reads tests/data/surfaces/NAME.json. A particle alone is in a cell that is not periodic.
 inline SurfaceReference read_surfaces(const std::string& name) {
-  const std::string path = std::string(SUPPLE_TEST_DATA) + "/surfaces/" + name + ".json";
+  const std::string path = reference_path(name);
   return {read_packing_json<3>(path).system, nlohmann::json::parse(std::ifstream(path))};
 }
 

@@ -6,8 +6,8 @@
 
 namespace supple {
 
-inline constexpr int flow = 0;      ///< direction of the flow
-inline constexpr int gradient = 1;  ///< direction of the velocity gradient
+inline constexpr int flow = 0;       ///< direction of the flow
+inline constexpr int gradient = 1;   ///< direction of the velocity gradient
 inline constexpr int vorticity = 2;  ///< direction of the vorticity, in 3D
 
 /// Images of a rectangular cell at one instant, with all divisions done beforehand, for loops over many

@@ -96,9 +96,9 @@ class FileRecorder : public Recorder {
   /// What is recorded of the sites of a run in so many dimensions.
   template <int Dim>
   struct Sites {
-    std::optional<RunInfo<Dim>> info;         ///< once the run began
-    std::vector<Frame<Dim>> frames;           ///< since the last segment
-    std::optional<Frame<Dim>> last;           ///< instant of the last frame
+    std::optional<RunInfo<Dim>> info;            ///< once the run began
+    std::vector<Frame<Dim>> frames;              ///< since the last segment
+    std::optional<Frame<Dim>> last;              ///< instant of the last frame
     std::optional<FinalState<Dim>> final_state;  ///< if no segment holds it
   };
   template <int Dim>
