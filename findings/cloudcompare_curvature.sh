@@ -4,9 +4,8 @@
 #
 # Guess: 0.99 and 0.98 at any r, as the neighbours are the same ones.
 # Seen: so from r = 0.5 on. At 0.2 they are 0.90 and 0.78, at 0.1 the mean curvature is 44 times too small, at 0.01 a sphere
-# is flat. The surface that is fitted to the neighbours comes out of an iteration that starts at a plane and ends by an
-# absolute limit. A sphere of 10 cm in metres is flat, the same in millimetres is right; it depends on the distance of the
-# points as well, so that a finer scan is worse. No warning. Scale the points to a size of 100 first.
+# is flat. A sphere of 10 cm in metres is flat, the same in millimetres is right. It goes by the reach of the neighbours, too:
+# within 0.5 r a sphere of 0.1 is still right, and one of 0.01 is not. No warning. Scale the points to a size of 100 first.
 #   radius 100: mean 0.99, Gaussian 0.98
 #   radius 1: mean 0.99, Gaussian 0.98
 #   radius 0.2: mean 0.90, Gaussian 0.78

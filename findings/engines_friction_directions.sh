@@ -7,10 +7,10 @@
 #
 # Guess: 0.5 in every direction, against the velocity, so that a cube that slides at 30 degrees goes on so until it stops.
 # Seen: so with Bullet and Rapier. With ODE, as with dContactApprox1 and its two directions by default, the friction is 0.71
-# for all oblique ways, and pulls at 45 degrees: the way bends towards the nearer axis, 30 degrees become 19. With MuJoCo's
-# cone by default it is the other way round: least along the diagonal, 0.27, and 30 degrees become 38. No packing sheared with
-# either is isotropic. In MuJoCo take cone="elliptic"; its softness costs a tenth still. In ODE give the direction of sliding
-# (dContactFDir1).
+# at 30 and at 45 degrees, and pulls along the diagonal: the way bends towards the nearer axis, 30 degrees become 19. With
+# MuJoCo's cone by default it is the other way round: least along the diagonal, 0.27, and 30 degrees become 38. No packing
+# sheared with either is isotropic. In MuJoCo take cone="elliptic"; its softness costs a tenth still. In ODE give the
+# direction of sliding (dContactFDir1).
 #   Bullet, 0 degrees: friction 0.50, then at 0 degrees
 #   Bullet, 30 degrees: friction 0.50, then at 30 degrees
 #   Bullet, 45 degrees: friction 0.50, then at 45 degrees
@@ -187,7 +187,7 @@ for (const [name, make] of [['Rapier', rapier], ['MuJoCo, elliptic', () => mujoc
 }
 NODE
 g++ -O1 -w slide.cpp -o slide $(pkg-config --cflags --libs bullet ode)
-{ ./slide && timeout 120 node slide.mjs; } > seen 2> messages || { cat messages; exit 1; }
+{ ./slide && timeout 600 node slide.mjs; } > seen 2> messages || { cat messages; exit 1; }
 cat seen
 diff seen - <<'SEEN'
 Bullet, 0 degrees: friction 0.50, then at 0 degrees

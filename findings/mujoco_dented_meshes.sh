@@ -47,7 +47,7 @@ for (const [name, grain] of [['cube of 1', cube], ['L of 3', bent], ['U of 7', d
   console.log(`${name}: default ${mass(...grain, '').toFixed(2)}, exact ${mass(...grain, 'inertia="exact"').toFixed(2)}`);
 }
 NODE
-timeout 120 node weigh.mjs > seen 2> messages || { cat messages; exit 1; }
+timeout 600 node weigh.mjs > seen 2> messages || { cat messages; exit 1; }
 cat seen
 diff seen - <<'SEEN'
 cube of 1: default 1.00, exact 1.00

@@ -5,9 +5,9 @@
 # lattice, moved a little, a share of its springs left out at random.
 #
 # Guess: as many as the dense solver has below 1e-9; where all springs are there two, the translations.
-# Seen: MUMPS is right where there are few. With more floppy modes it misses a third to a half of them (19 of 42), and some
+# Seen: MUMPS is right where there are few. With more floppy modes it misses a fifth to a half of them, 23 of 42, and some
 # pivots are negative (15), as if the network were unstable, though no eigenvalue is below -1e-13. PETSc by itself finds no
-# zero at all, or stops at the first and calls all pivots after it zero: 295 of 512. Neither says anything. Count eigenvalues.
+# zero at all, or hundreds, 295 of 512. Neither says anything. Count eigenvalues.
 #   2 zero modes: MUMPS all of them, negative pivots: none; PETSc another number
 #   4 zero modes: MUMPS all of them, negative pivots: none; PETSc another number
 #   20 zero modes: MUMPS fewer, negative pivots: some; PETSc another number

@@ -41,7 +41,7 @@ for k in range(n):  # slices of half of the solid, from its middle to its end
     across += slice * (square / 4 + x * x)
 print(f"SEEN true: mass {mass:.3f}, moments {along:.3f} {across:.3f}")
 PYTHON
-timeout 120 yade -n -x -j1 clump.py > messages 2>&1 || { cat messages; exit 1; }
+timeout 600 yade -n -x -j1 clump.py > messages 2>&1 || { cat messages; exit 1; }
 sed -n 's/^SEEN //p' messages > seen
 cat seen
 diff seen - <<'SEEN'
