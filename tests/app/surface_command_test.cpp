@@ -19,7 +19,8 @@ class SurfaceCommand : public CommandTest {
   /// The results of a run of zero steps that starts from the reference of this name.
   json results_of_reference(const std::string& name) {
     write(name + ".toml", "experiment = \"dynamics\"\n[initial]\npacking = \"" + reference_path(name) +
-                              "\"\n[time]\nsteps = 0\n[output]\nsnapshot = false\nplot = false\n");
+                              "\"\n[time]\nsteps = 0\n[contact]\nunsound = \"mark\"\n[output]\nsnapshot = "
+                              "false\nplot = false\n");
     const Outcome run = supple("run " + name + ".toml");
     EXPECT_EQ(run.code, 0) << run.err;
     return shown(name + ".h5")["results"];

@@ -113,10 +113,8 @@ TEST_F(SolidRun, IsDrawnFromAnyDirection) {
   const RunFile file(in_folder("run.h5"));
   draw_frame(in_folder("a.png"), file, 0);
   draw_frame(in_folder("b.png"), file, 0, {"pressure", "30,10"});
-  draw_frame(in_folder("c.png"), file, 0, {"id", "corner"});
   EXPECT_NE(content_of(in_folder("a.png")), content_of(in_folder("b.png")));
-  EXPECT_EQ(content_of(in_folder("a.png")), content_of(in_folder("c.png")));
-  EXPECT_EQ(draw_frames(folder(), "png", file, 3, {"volume", "z"}), std::min<std::int64_t>(3, file.frames()));
+  EXPECT_EQ(draw_frames(folder(), "png", file, 1, {"volume", "z"}), 1);
   EXPECT_THROW(draw_frame(in_folder("d.png"), file, 0, {"area"}), Error);
   EXPECT_THROW(draw_frame(in_folder("d.png"), file, 0, {"", "above"}), Error);
 }

@@ -18,7 +18,9 @@ void require_covered_edges(const System<3>& system, double least) {
           fmt::format("vertices {} and {} of a surface have a diameter of {:.3g} of the edge between them", a,
                       b, ratio),
           "edges of two particles could pass through each other unseen, as contacts are of vertices",
-          fmt::format("take at least {:.3g} of the longest edge, or more vertices", least));
+          fmt::format("take at least {:.3g} of the longest edge, or more vertices; contact.unsound = "
+                      "\"mark\" goes on as it is",
+                      least));
     }
 }
 

@@ -163,7 +163,9 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   require_sane(system, "this packing");
   check_tension(system);
   if constexpr (Dim == 3)
-    require_covered_edges(system, c.contact.kind == "smooth" ? least_smooth_diameter : least_rough_diameter);
+    if (c.contact.unsound == "stop")
+      require_covered_edges(system,
+                            c.contact.kind == "smooth" ? least_smooth_diameter : least_rough_diameter);
   Packing<Dim> p;
   p.system = std::move(system);
   p.field = std::make_unique<ForceField<Dim>>(make_body_field<Dim>(c));
