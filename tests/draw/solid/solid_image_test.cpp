@@ -9,6 +9,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/draw/solid/light.hpp"
 #include "tests/draw/solid/scenes.hpp"
 
 namespace supple {
@@ -88,22 +89,41 @@ TEST(SolidImage, LightComesFromTheUpperLeft) {
   SolidScene ball = empty_cell(), mesh = empty_cell();
   add_ball(ball, {5, 5, 5}, 4);
   add_mesh(mesh, geodesic_icosahedron(642, 4 * std::numbers::pi / 3 * 64), {5, 5, 5});
-  const View view = view_of("y");  // x to the right, z up
-  const auto at = [&](const SolidScene& scene, Shading shading, double right, double up) {
-    const SolidWindow window = window_on(scene, view, 240);
-    return level(pixel_at(draw_solid(scene, std::vector{white}, window, {shading, 0, 0}), window,
-                          {5 + right, 5, 5 + up}));
-  };
+  const SolidWindow window = window_on(ball, view_of("y"), 240);  // x to the right, z up
   for (const Shading shading : {Shading::flat, Shading::smooth}) {
-    for (const SolidScene* scene : {&ball, &mesh}) {
-      EXPECT_GT(at(*scene, shading, -2, 2), at(*scene, shading, 2, -2) + 100);
-      EXPECT_GT(at(*scene, shading, -2, 2), at(*scene, shading, 2, 2) + 20);
-      EXPECT_GT(at(*scene, shading, -2, 2), at(*scene, shading, -2, -2) + 20);
+    const SolidStyle style{shading, 0, 0};
+    const SolidImage exact = draw_solid(ball, std::vector{white}, window, style);
+    const SolidImage faceted = draw_solid(mesh, std::vector{white}, window, style);
+    const auto at = [&](const SolidImage& image, double right, double up) {
+      return level(pixel_at(image, window, {5 + right, 5, 5 + up}));
+    };
+    for (const SolidImage* image : {&exact, &faceted}) {
+      EXPECT_GT(at(*image, -2, 2), at(*image, 2, -2) + 100);
+      EXPECT_GT(at(*image, -2, 2), at(*image, 2, 2) + 20);
+      EXPECT_GT(at(*image, -2, 2), at(*image, -2, -2) + 20);
     }
-    for (const double right : {-2., 0., 2.})  // the surface of many triangles is almost the sphere
-      EXPECT_NEAR(at(mesh, shading, right, 1), at(ball, shading, right, 1),
-                  shading == Shading::flat ? 40 : 8);
+    for (const double right : {-2., 0., 2.}) {
+      const double bright = 3 * 255 * brightness({right, 1, std::sqrt(16 - right * right - 1)});
+      EXPECT_NEAR(at(exact, right, 1), bright, 4);
+      EXPECT_NEAR(at(faceted, right, 1), bright, shading == Shading::flat ? 40 : 8);
+    }
   }
+}
+
+TEST(SolidImage, DoesNotShowTheTilesItIsMadeOf) {
+  SolidScene scene = empty_cell();
+  for (int k = 0; k < 12; ++k)
+    add_mesh(scene, geodesic_icosahedron(42, 8), {0.75 * k, 3 + 0.25 * (k * 7 % 12), 0.5 * k});
+  const std::vector<Color> color(12, green);
+  SolidWindow window = window_on(scene, view_of("z"), 192);  // 16 pixels for a length of 1
+  const SolidStyle style{Shading::smooth, 0.5, 2};
+  const SolidImage image = draw_solid(scene, color, window, style);
+  window.left += 1;
+  window.top -= 1;
+  const SolidImage moved = draw_solid(scene, color, window, style);
+  for (int j = 0; j < 176; ++j)
+    for (int i = 0; i < 176; ++i)
+      ASSERT_EQ(moved.pixel[j * 192 + i], image.pixel[(j + 16) * 192 + i + 16]) << i << " " << j;
 }
 
 TEST(SolidImage, SmoothShadingKeepsTheEdgesOfACube) {
@@ -168,7 +188,7 @@ TEST(SolidImage, WhatLiesWithinTheCellIsNotCut) {
   add_mesh(scene, geodesic_icosahedron(642, 150), {5, 5, 5});
   add_ball(scene, {8.5, 5, 5}, 1.2);
   for (const char* view : {"x", "y", "z", "corner", "33,-71"}) {
-    const SolidWindow window = window_on(scene, view_of(view), 300);
+    const SolidWindow window = window_on(scene, view_of(view), 200);
     scene.images = Images::whole;
     const SolidImage whole = draw_solid(scene, std::vector{red, blue}, window, {});
     scene.images = Images::cut;

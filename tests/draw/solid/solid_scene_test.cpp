@@ -106,6 +106,10 @@ TEST(SolidScene, SidesGoThroughTheCorners) {
 }
 
 TEST(SolidScene, NeighboursGetDifferentColours) {
+  SolidScene leftward = empty_cell();
+  for (int k = 0; k < 20; ++k) add_ball(leftward, {-3. * k, 0, 0}, 1.5);
+  const std::vector<Color> all = colors_apart(std::span(&leftward, 1));
+  for (int k = 0; k < 19; ++k) EXPECT_NE(all[k], all[k + 1]);
   SolidScene scene = empty_cell(), later = empty_cell();
   for (int k = 0; k < 9; ++k) {
     add_ball(scene, {3. * k, 0, 0}, 1.5);
