@@ -60,17 +60,30 @@ void SampleTile::move_to(int left, int top, std::span<const ScreenCut> cuts) {
   side_.assign(depth_.size(), 0);
   inside_.assign(depth_.size(), 0);
   for (std::size_t k = 0; k < cuts.size(); ++k)
-    for (int j = 0; j < size_; ++j)
+    for (int j = 0; j < size_; ++j) cut_row(cuts[k], static_cast<std::int32_t>(k), j);
+}
+
+/// Narrows what row j shows to what lies within a side.
+void SampleTile::cut_row(const ScreenCut& cut, std::int32_t side, int j) {
+  const float begin = as_float(cut.beyond(left_ + 0.5, top_ + j + 0.5)), slope = as_float(cut.slope[0]);
+  const auto beyond = [&](int i) { return begin + slope * static_cast<float>(i); };
+  float *near = &near_[at(0, j)], *far = &far_[at(0, j)];
+  std::int32_t* by = &side_[at(0, j)];
+  switch (cut.lies) {
+    case ScreenCut::Lies::far:
+      for (int i = 0; i < size_; ++i) far[i] = std::max(far[i], beyond(i));
+      break;
+    case ScreenCut::Lies::along:
+      for (int i = 0; i < size_; ++i)
+        far[i] = beyond(i) > 0 ? std::numeric_limits<float>::infinity() : far[i];
+      break;
+    case ScreenCut::Lies::near:
       for (int i = 0; i < size_; ++i) {
-        const std::size_t s = at(i, j);
-        const float beyond = as_float(cuts[k].beyond(left + i + 0.5, top + j + 0.5));
-        if (cuts[k].lies == ScreenCut::Lies::far) far_[s] = std::max(far_[s], beyond);
-        if (cuts[k].lies == ScreenCut::Lies::along && beyond > 0) far_[s] = none;
-        if (cuts[k].lies == ScreenCut::Lies::near && beyond < near_[s]) {
-          near_[s] = beyond;
-          side_[s] = static_cast<std::uint8_t>(k);
-        }
+        const bool is_nearer = beyond(i) < near[i];
+        near[i] = is_nearer ? beyond(i) : near[i];
+        by[i] = is_nearer ? side : by[i];
       }
+  }
 }
 
 int SampleTile::first_at(double place, int origin) const {
@@ -88,25 +101,29 @@ void SampleTile::touch(int first_row, int end_row) {
 void SampleTile::cover(int first, int j, int count, int sees, std::int32_t shape) {
   const std::size_t begin = at(first, j);
   if (!is_cut()) return cover_row(count, row_.data(), shape, &depth_[begin], &shape_[begin]);
+  const float *z = row_.data(), *near = &near_[begin], *far = &far_[begin];
+  float* depth = &depth_[begin];
+  std::int32_t *shown = &shape_[begin], *inside = &inside_[begin];
   for (int i = 0; i < count; ++i) {
-    const std::size_t s = begin + i;
-    if (row_[i] < near_[s]) inside_[s] = static_cast<std::int16_t>(inside_[s] - sees);
-    if (far_[s] <= row_[i] && row_[i] <= near_[s] && row_[i] > depth_[s]) {
-      depth_[s] = row_[i];
-      shape_[s] = shape;
-    }
+    inside[i] -= z[i] < near[i] ? sees : 0;
+    const bool shows = (far[i] <= z[i]) & (z[i] <= near[i]) & (z[i] > depth[i]);
+    depth[i] = shows ? z[i] : depth[i];
+    shown[i] = shows ? shape : shown[i];
   }
 }
 
 void SampleTile::cover_cut(std::int32_t shape) {
-  for (int j = first_row_; j < end_row_ && is_cut(); ++j)
-    for (std::size_t s = at(0, j); s < at(0, j + 1); ++s) {
-      if (inside_[s] > 0 && far_[s] <= near_[s] && near_[s] > depth_[s]) {
-        depth_[s] = near_[s];
-        shape_[s] = shape;
-      }
-      inside_[s] = 0;
+  for (int j = first_row_; j < end_row_ && is_cut(); ++j) {
+    const float *near = &near_[at(0, j)], *far = &far_[at(0, j)];
+    float* depth = &depth_[at(0, j)];
+    std::int32_t *shown = &shape_[at(0, j)], *inside = &inside_[at(0, j)];
+    for (int i = 0; i < size_; ++i) {
+      const bool shows = (inside[i] > 0) & (far[i] <= near[i]) & (near[i] > depth[i]);
+      depth[i] = shows ? near[i] : depth[i];
+      shown[i] = shows ? shape : shown[i];
+      inside[i] = 0;
     }
+  }
   first_row_ = end_row_ = 0;
 }
 

@@ -40,6 +40,7 @@ class SampleTile {
   /// last of those before `place`.
   int first_at(double place, int origin) const;
   void touch(int first_row, int end_row);
+  void cut_row(const ScreenCut& cut, std::int32_t side, int j);
   void cover(int first, int j, int count, int sees, std::int32_t shape);
   bool is_cut() const { return !near_.empty(); }
 
@@ -50,8 +51,7 @@ class SampleTile {
   // Where something is cut: where the ray of each sample enters and leaves the cell, by which side; how often
   // it is inside the present body where it enters; rows that this body has touched.
   std::vector<float> near_, far_;
-  std::vector<std::uint8_t> side_;
-  std::vector<std::int16_t> inside_;
+  std::vector<std::int32_t> side_, inside_;
   int first_row_ = 0, end_row_ = 0;
 };
 

@@ -225,16 +225,18 @@ SolidImage draw_solid(const SolidScene& scene, std::span<const Color> color, con
       style.outline_width > 0 ? static_cast<int>(std::ceil(samples * style.outline_width)) + 1 : 0;
   const Bins bins(screen, window, rim);
   SolidImage image{{}, {}, window.width, window.height};
-  image.pixel.resize(static_cast<std::size_t>(window.width) * window.height);
+  image.pixel.resize(static_cast<std::size_t>(window.width) * window.height, 0xffffff);
   image.covered.resize(image.pixel.size());
   for_parts(bins.down, [&](std::int64_t row) {
     SampleTile tile(tile_pixels * samples + 2 * rim);
     TilePainter painter(screen, color, style, tile);
     for (int column = 0; column < bins.across; ++column) {
       const int left = column * tile_pixels, top = static_cast<int>(row) * tile_pixels;
+      const std::span<const std::int32_t> shapes = bins.shapes(column, static_cast<int>(row));
+      if (shapes.empty()) continue;  // white
       tile.move_to(left * samples - rim, top * samples - rim, screen.cuts());
       std::int32_t body = -1;
-      for (const std::int32_t shape : bins.shapes(column, static_cast<int>(row))) {
+      for (const std::int32_t shape : shapes) {
         if (body >= 0 && body != screen.body(shape)) tile.cover_cut(screen.cut_of(body));
         body = screen.body(shape);
         screen.is_triangle(shape) ? tile.cover(screen.triangle(shape), shape)
