@@ -106,10 +106,16 @@ TEST(SolidScene, SidesGoThroughTheCorners) {
 }
 
 TEST(SolidScene, NeighboursGetDifferentColours) {
-  SolidScene leftward = empty_cell();
-  for (int k = 0; k < 20; ++k) add_ball(leftward, {-3. * k, 0, 0}, 1.5);
-  const std::vector<Color> all = colors_apart(std::span(&leftward, 1));
-  for (int k = 0; k < 19; ++k) EXPECT_NE(all[k], all[k + 1]);
+  // Neighbours are 8 numbers apart, so that colours given in turn would clash.
+  SolidScene row = empty_cell();
+  std::vector<double> place(27);
+  for (int k = 0; k < 27; ++k) place[k * 8 % 27] = k;
+  for (const double sign : {1., -1.}) {
+    row.sphere.clear(), row.particle.clear(), row.particles = 0;
+    for (const double x : place) add_ball(row, {sign * 3 * x, 0, 0}, 1.5);
+    const std::vector<Color> all = colors_apart(std::span(&row, 1));
+    for (int k = 0; k < 26; ++k) EXPECT_NE(all[k * 8 % 27], all[(k + 1) * 8 % 27]) << sign << " " << k;
+  }
   SolidScene scene = empty_cell(), later = empty_cell();
   for (int k = 0; k < 9; ++k) {
     add_ball(scene, {3. * k, 0, 0}, 1.5);
