@@ -148,52 +148,6 @@ PackingReport<Dim> report_packing(Packing<Dim>& packing,
   return r;
 }
 
-namespace {
-
-/// A component of the full stress.
-template <int Dim>
-Observables<PackingInstant<Dim>> stress_component(int i, int j, const std::string& symbol) {
-  const std::string name = std::string("stress_") + "xyz"[i] + "xyz"[j];
-  return {{{name, symbol, "full stress, compression positive"}, [i, j](const PackingInstant<Dim>& p) {
-             const Mat<Dim> stress = p.stress();
-             return i == j ? stress[i][i] : 0.5 * (stress[i][j] + stress[j][i]);
-           }}};
-}
-
-}  // namespace
-
-template <int Dim>
-Observables<PackingInstant<Dim>> packing_observables(const std::string& symbol) {
-  using P = PackingInstant<Dim>;
-  Observables<P> all{
-      {{"packing_fraction", "", packing_fraction_meaning<Dim>},
-       [](const P& p) { return p.report.fraction.total; }},
-      {{"pressure", symbol, "full virial pressure (9.26)"}, [](const P& p) { return pressure(p.stress()); }},
-      {{"contact_pressure", symbol, "pressure by contacts alone"},
-       [](const P& p) { return pressure(p.report.stresses.contact) / p.packing.pressure_unit; }}};
-  for (int i = 0; i < Dim; ++i) all.add(stress_component<Dim>(i, i, symbol));
-  for (int i = 0; i < Dim; ++i)
-    for (int j = i + 1; j < Dim; ++j) all.add(stress_component<Dim>(i, j, symbol));
-  all.add(
-      {{{"energy", "", "potential energy"}, [](const P& p) { return p.report.evaluation.energy.stored(); }},
-       {{"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
-        [](const P& p) { return p.report.numbers.mean(); }},
-       {{"rattlers", "",
-         "particles that can leave all of their contacts at once, removed until none is left"},
-        [](const P& p) {
-          return static_cast<double>(std::count(p.report.rattlers.begin(), p.report.rattlers.end(), 1));
-        }},
-       {{"residual", "", "largest net force on a vertex, or on a rigid particle"},
-        [](const P& p) { return largest_net_force(p.packing.system, p.report.evaluation.force); }},
-       {{"tolerance", "", "residual at which its minimisation was done"},
-        [](const P& p) { return p.work.last.tolerance; }},
-       {{"evaluations", "", "force evaluations so far"},
-        [](const P& p) { return static_cast<double>(p.work.evaluations); }},
-       {{"unsound", "", unsound_meaning},
-        [](const P& p) { return static_cast<double>(p.report.soundness.bodies()); }}});
-  return all;
-}
-
 template <int Dim>
 Frame<Dim> packing_frame(const Packing<Dim>& packing, const PackingReport<Dim>& r,
                          Surroundings surroundings) {
@@ -321,7 +275,6 @@ void hand_over(Packing<Dim>& packing, Recorder& recorder) {
   template std::vector<Derived> derived_equilibria(const Packing<Dim>&);                           \
   template void begin_packing(Packing<Dim>&, const std::vector<Derived>&, Recorder&);              \
   template PackingReport<Dim> report_packing(Packing<Dim>&, const PresentMotion<Dim>&);            \
-  template Observables<PackingInstant<Dim>> packing_observables<Dim>(const std::string&);          \
   template Frame<Dim> packing_frame(const Packing<Dim>&, const PackingReport<Dim>&, Surroundings); \
   template Environment environment_of(const Packing<Dim>&);                                        \
   template void record_packing(Packing<Dim>&, const JamProgress<Dim>&, Recorder&, Surroundings,    \
