@@ -25,7 +25,7 @@ endif()
 # Not the headers that show what files are written and read with, nor how registers are used.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/supple TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp"
   PATTERN hdf5_calls.hpp EXCLUDE PATTERN case_reader.hpp EXCLUDE PATTERN json_node.hpp EXCLUDE
-  PATTERN held_keys_json.hpp EXCLUDE PATTERN lane_vectors.hpp EXCLUDE
+  PATTERN held_keys_json.hpp EXCLUDE PATTERN packing_layout.hpp EXCLUDE PATTERN lane_vectors.hpp EXCLUDE
   PATTERN block.hpp EXCLUDE PATTERN block_rows.hpp EXCLUDE PATTERN block_factorisation.hpp EXCLUDE PATTERN pivot.hpp EXCLUDE)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/supple)
 install(FILES LICENSE CITATION.cff README.md CHANGELOG.md TYPE DOC)
