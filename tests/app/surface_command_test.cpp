@@ -19,8 +19,8 @@ class SurfaceCommand : public CommandTest {
   /// The results of a run of zero steps that starts from the reference of this name.
   json results_of_reference(const std::string& name) {
     write(name + ".toml", "experiment = \"dynamics\"\n[initial]\npacking = \"" + reference_path(name) +
-                              "\"\n[time]\nsteps = 0\n[contact]\nunsound = \"mark\"\n[output]\nsnapshot = "
-                              "false\nplot = false\n");
+                              "\"\n[time]\nsteps = 0\n[output]\nsnapshot = false"
+                              "\nplot = false\n");
     const Outcome run = supple("run " + name + ".toml");
     EXPECT_EQ(run.code, 0) << run.err;
     return shown(name + ".h5")["results"];
@@ -56,6 +56,18 @@ TEST_F(SurfaceCommand, ARunOfNoStepsHasTheNumbersOfTheReferences) {
                     1e-10 * largest);
     EXPECT_NEAR(result("pressure"), reference["pressure"], 1e-10 * largest);
   }
+}
+
+/// Its vertices are thinner than edges need: it may be looked at, and not moved.
+TEST_F(SurfaceCommand, ARunOfNoStepsWarnsOfUncoveredEdges) {
+  const std::string thin = "shells4_12_rough";
+  results_of_reference(thin);
+  EXPECT_THAT(supple("show " + thin + ".h5").out, HasSubstr("particles have an edge longer"));
+  results_of_reference("shells4_42_smooth");
+  EXPECT_THAT(supple("show shells4_42_smooth.h5").out, testing::Not(HasSubstr("have an edge longer")));
+  const Outcome moved = supple("run " + thin + ".toml --set time.steps=1 --force");
+  EXPECT_EQ(moved.code, 2);
+  EXPECT_THAT(moved.err, HasSubstr("take at least 0.707 of the longest edge"));
 }
 
 /// A particle alone, at rest.

@@ -39,8 +39,9 @@ ShapeSpec spec(double area, double bending, double tension, double shape_paramet
   return s;
 }
 
-Family rigid(const char* name, int vertices, JamSearch search, int particles, double pressure) {
-  return {name, "rough", vertices, {}, search, particles, pressure, 0, SurfaceMotion::rigid};
+Family rigid(const char* name, int vertices, JamSearch search, int particles, double pressure,
+             double strain = 0) {
+  return {name, "rough", vertices, {}, search, particles, pressure, strain, SurfaceMotion::rigid};
 }
 
 Case case_of(const Family& f) {
@@ -119,7 +120,9 @@ INSTANTIATE_TEST_SUITE_P(
                       rigid("rigid_rough_12", 12, JamSearch::pressure, 6, 1e-6),
                       rigid("rigid_rough_12_by_root", 12, JamSearch::root, 7, 1e-6),
                       rigid("rigid_rough_42", 42, JamSearch::pressure, 8, 1e-7),
-                      rigid("rigid_rough_42_by_root", 42, JamSearch::root, 4, 1e-6)),
+                      rigid("rigid_rough_42_by_root", 42, JamSearch::root, 4, 1e-6),
+                      rigid("sheared_rigid_rough_12", 12, JamSearch::pressure, 6, 1e-6, 0.4),
+                      rigid("sheared_rigid_rough_42", 42, JamSearch::pressure, 8, 1e-6, -0.3)),
     [](const auto& i) { return std::string(i.param.name); });
 /// Without stiff triangles a droplet bears the tension gamma s0 = 3/2 max(x - x^4) k_v v0^2 = 0.7087.
 TEST(PackingsIn3D, TensionThatNothingBearsIsRefused) {

@@ -56,6 +56,11 @@ void warn(const PackingReport<Dim>& r, const JamProgress<Dim>& progress, Recorde
   if (!r.soundness.sound())
     recorder.warning(
         fmt::format("{}: the numbers of this state are those of no packing", r.soundness.what()));
+  if (const int n = r.soundness.uncovered; n > 0)
+    recorder.warning(fmt::format(
+        "{} {} longer than the vertices at its ends cover: edges of two particles could pass through each "
+        "other unseen",
+        n, n == 1 ? "particle has an edge" : "particles have an edge"));
   if (progress.unconverged > 0)
     recorder.warning(
         fmt::format("{} of {} minimisations stopped before their tolerance{}", progress.unconverged,
@@ -234,9 +239,13 @@ void record_packing(Packing<Dim>& packing, const JamProgress<Dim>& progress, Rec
                       "corners do not add up to one contact",
            packing.field->bodies()->feature_violations());
   else if (r.soundness.longest_edge > 0)
-    number("longest_edge",
-           "longest edge over the distance at which the vertices at its ends touch; from 2 on others pass",
-           r.soundness.longest_edge);
+    number(
+        "longest_edge",
+        Dim == 2
+            ? "longest edge over the distance at which the vertices at its ends touch; from 2 on others pass"
+            : "longest edge over the distance at which the vertices at its ends touch; from 1.41 on other "
+              "edges pass, from 1.73 vertices",
+        r.soundness.longest_edge);
   if (!moves) {
     number("minimisations", "minimisations", static_cast<double>(progress.minimisations));
     number("unconverged", "minimisations that stopped before the tolerance",
