@@ -21,6 +21,7 @@
 namespace {
 
 using supple::Existing;
+using supple::TriangleEdges;
 namespace command = supple::command;
 
 constexpr auto about =
@@ -42,7 +43,7 @@ struct Options {
               section, physics;
   std::optional<int> frame;
   command::Timing timing;
-  bool force = false, json = false;
+  bool force = false, json = false, edges = false;
 
   Existing existing() const { return force ? Existing::replace : Existing::refuse; }
   command::Format format() const { return json ? command::Format::json : command::Format::text; }
@@ -190,9 +191,13 @@ void add_run_commands(CLI::App& app, Options& o) {
           "--view", o.view,
           "From where to look, in 3D: corner, x, y, z, or AZIMUTH,ELEVATION in degrees (default: corner)")
       ->type_name("VIEW");
+  snapshot->add_flag("--edges", o.edges, "Draw the edges of triangles, too, in 3D");
   add_output(*snapshot, o,
              "Picture: .png .jpg .svg .pdf or .ps; - for standard output, as png (default: RUN_cell.png)");
-  snapshot->callback([&] { command::snapshot(o.run, o.frame, {o.color, o.view}, o.output, o.existing()); });
+  snapshot->callback([&] {
+    const TriangleEdges edges = o.edges ? TriangleEdges::drawn : TriangleEdges::hidden;
+    command::snapshot(o.run, o.frame, {o.color, o.view, edges}, o.output, o.existing());
+  });
 
   CLI::App* plot =
       app.add_subcommand("plot", "Draw the figure of a run: stress, pressure, force or energies");

@@ -100,6 +100,8 @@ TEST_F(SurfaceCommand, AreJammedShownDrawnAndExported) {
   }
   EXPECT_EQ(supple("export jam.h5 --to state").code, 2);
   EXPECT_THAT(supple("snapshot jam.h5 --view top -o y.png").err, HasSubstr("top"));
+  EXPECT_EQ(supple("snapshot jam.h5 --view x --color pressure --edges -o edges.png").code, 0);
+  EXPECT_NE(read_text(path("edges.png")), read_text(path("x.png")));
 }
 
 TEST_F(SurfaceCommand, MistakesAreErrorsBeforeAnythingIsWritten) {

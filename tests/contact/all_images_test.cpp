@@ -240,7 +240,7 @@ TEST(AllImages, CellsInWhichANeighbourIsMetOnTwoSidesAreRefused) {
   }
   System<2> flat = discs_anywhere(4, 1, {12, 3}, 0, 1);
   for (double& r : flat.state.radius) r = 1;
-  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("the period of the cell along y is 0.75 of the least"))
+  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("the period of the cell along y is "))
       << "a length would need its unit";
   EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("; take a larger cell"));
   System<2> alone = discs_anywhere(1, 1, {2.1, 2.1}, 0, 1);

@@ -66,10 +66,10 @@ double least_period(const System<Dim>& system, const std::vector<double>& reach)
 Error ShortPeriod::error(ErrorKind kind) const {
   return Error(
       kind,
-      fmt::format("the period of the cell along {} is {:.3g} of the least: a particle meets itself or a "
+      fmt::format("the period of the cell along {} is {:.6g}: below {:.6g} a particle meets itself or a "
                   "neighbour on two sides",
-                  "xyz"[direction], length / least),
-      "only the nearest image would count", "take a larger cell, or raise bodies.N or particles.N");
+                  "xyz"[direction], length, least),
+      "only the nearest image would count", "take a larger cell, or more particles");
 }
 
 template std::vector<double> reach_of_sites(const System<2>&, Meeting, double);

@@ -145,7 +145,8 @@ std::vector<Species> species_of(const Case& c) {
   Species small{b, 1, {}}, large{b, b.size_ratio, {}}, disc{b, 1, {}};
   small.count = b.count - large_count;
   large.count = large_count;
-  if (b.vertex_rule == "scaled") large.vertices = static_cast<int>(std::lround(b.size_ratio * b.vertices));
+  if (b.vertex_rule == "scaled" && b.dimensions == 2)
+    large.vertices = static_cast<int>(std::lround(b.size_ratio * b.vertices));
   if (b.shape_ratio_large > 0) large.shape_ratio = b.shape_ratio_large;
   disc.family = "disc";
   disc.count = is_disc(b) ? 0 : b.discs;

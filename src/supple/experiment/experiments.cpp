@@ -40,8 +40,7 @@ std::vector<std::string> physics_names() {
 const Matter* asked_matter(const Case& c) {
   if (!c.initial.packing.empty()) return &body_matter();
   if (c.is_given("bodies.dim") && c.bodies.dimensions == 3)
-    if (const Experiment* e = find_experiment(c.general.experiment, body_matter()); e && e->run.in_3d)
-      return &body_matter();
+    if (find_experiment(c.general.experiment, body_matter())) return &body_matter();
   // The default of the key says nothing.
   if (!c.is_given("physics") && c.general.physics == General{}.physics) return nullptr;
   for (const Matter* m : every_matter())

@@ -34,7 +34,8 @@ Observables<PackingInstant<Dim>> packing_observables(const std::string& symbol) 
     for (int j = i + 1; j < Dim; ++j) all.add(stress_component<Dim>(i, j, symbol));
   all.add(
       {{{"energy", "", "potential energy"}, [](const P& p) { return p.report.evaluation.energy.stored(); }},
-       {{"mean_contacts", "", "touching neighbours of a particle, rattlers left out"},
+       {{"mean_contacts", "",
+         "touching neighbours of a particle, each image of one counted, rattlers left out"},
         [](const P& p) { return p.report.numbers.mean(); }},
        {{"rattlers", "",
          "particles that can leave all of their contacts at once, removed until none is left"},

@@ -182,13 +182,14 @@ void record_environment(const Packing<Dim>& packing, Recorder& recorder) {
 
 /// The shape energy by term.
 void record_energies(const System<3>& system, Recorder& recorder) {
-  static const std::map<std::string, Column> columns{
+  static const std::vector<std::pair<std::string, Column>> columns{
       {"enclosed_volume", {"energy_volume", "", "energy of enclosed volumes"}},
       {"facet_stretch", {"energy_area", "", "energy of the areas of triangles"}},
       {"hinge_bend", {"energy_bending", "", "energy of the angles between triangles"}},
       {"facet_tension", {"energy_tension", "", "energy of surface tension"}}};
-  for (const auto& [term, energy] : shape_terms(system).energies(system))
-    recorder.value("results", columns.at(term), energy);
+  std::map<std::string, double> energies;  // a term whose stiffness is zero is no term
+  for (const auto& [term, energy] : shape_terms(system).energies(system)) energies[term] = energy;
+  for (const auto& [term, column] : columns) recorder.value("results", column, energies[term]);
 }
 
 }  // namespace
@@ -217,7 +218,8 @@ void record_packing(Packing<Dim>& packing, const JamProgress<Dim>& progress, Rec
     recorder.value("results", {name, "", meaning}, value);
   };
   if (moves) number("kinetic_energy", "kinetic energy", kinetic_energy(packing.system, r.evaluation).total());
-  number("particle_contacts", "pairs of particles that touch, rattlers left out", r.numbers.pairs);
+  number("particle_contacts", "pairs of particles that touch, each image of one counted, rattlers left out",
+         r.numbers.pairs);
   number("vertex_contacts", "vertices that touch another particle", static_cast<double>(r.contacts.size()));
   // Friction and links hold more than one push a contact does.
   if (!open && packing.field->interactions().empty())
@@ -230,6 +232,10 @@ void record_packing(Packing<Dim>& packing, const JamProgress<Dim>& progress, Rec
   if constexpr (Dim == 3) {
     record_energies(packing.system, recorder);
     number("energy_contact", "energy of contacts between particles", r.evaluation.energy.elastic);
+    if (packing.field->walls())
+      number("energy_wall", "energy of contacts with walls", r.evaluation.energy.wall);
+    if (!(packing.field->external().gravity == Vec<Dim>{}))
+      number("energy_external", "energy in gravity", r.evaluation.energy.external);
   }
   if (packing.outline == Outline::smooth)
     number("feature_violations",

@@ -22,7 +22,8 @@ Error unsound_error(const Soundness& soundness) {
         "pressure";
   else if (soundness.inside + soundness.crossing == 0)
     to_do =
-        "give wider vertices (bodies.diameter_ratio), stiffer edges (bodies.k_l), or contact.kind = "
+        "give wider vertices (bodies.diameter_ratio), stiffer edges (bodies.k_l; in 3D triangles, "
+        "bodies.k_a), or contact.kind = "
         "\"smooth\"; or "
         "contact.unsound = \"mark\" to go on and see it marked";
   return numerics_error(soundness.what(), "the state handed over is the last one before", to_do);

@@ -39,7 +39,10 @@ Ticks nice_ticks(double low, double high, int count) {
 
 std::string tick_label(double value, double step) {
   const double size = std::max(std::abs(value), step);
-  if (size >= 1e6 || step < 1e-5) return with_minus_sign(fmt::format("{:.4g}", value));
+  if (size >= 1e6 || step < 1e-5) {
+    const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(size / step))) + 2, 4, 15);
+    return with_minus_sign(fmt::format("{:.{}g}", value, digits));
+  }
   int decimals = 0;
   while (decimals < 6 &&
          std::abs(step * std::pow(10, decimals) - std::round(step * std::pow(10, decimals))) > 1e-6)

@@ -83,6 +83,9 @@ class RunScenes {
       : run_(run), info_(run.info()), color_(choice.color == by_contact ? "" : choice.color) {
     if (!choice.view.empty())
       throw input_error("a view of " + run.path(), "it is a run in two dimensions", "leave the view away");
+    if (choice.edges == TriangleEdges::drawn)
+      throw input_error("edges of triangles of " + run.path(), "it is a run in two dimensions",
+                        "leave them away");
     if (run.resolved_case().contact.kind == "smooth") boundary_ = Boundary::smooth;
     if (color_.empty()) common_.color = colors_apart(std::vector{scene(0), scene(run.frames() - 1)});
   }
@@ -143,6 +146,7 @@ class RunSolids {
         topology_(topology_of(info_)),
         color_(choice.color == by_contact ? "" : choice.color) {
     if (!choice.view.empty()) common_.view = view_of(choice.view);
+    common_.edges = choice.edges;
     if (color_.empty())
       common_.color = colors_apart(std::vector{scene(0).scene, scene(run.frames() - 1).scene});
   }

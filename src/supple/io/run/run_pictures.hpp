@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "supple/draw/solid/solid_snapshot.hpp"
 #include "supple/io/run/run_file.hpp"
 
 namespace supple {
@@ -14,14 +15,15 @@ namespace supple {
 std::vector<std::string> body_colors(const RunFile& run, std::int64_t k);
 
 /// What pictures of a run show. `color` is one of body_colors(); empty: "id". `view` is a name or the angles
-/// of a view (view_of) of a run in 3D; empty: "corner".
+/// of a view (view_of) of a run in 3D; empty: "corner". `edges` are those of the triangles in 3D.
 struct PictureChoice {
   std::string color = {}, view = {};
+  TriangleEdges edges = TriangleEdges::hidden;
 };
 
 /// Draws frame k with the walls that stand at that instant. All pictures of a run by "id" have the same
 /// colours, chosen so that bodies that touch in its first or last frame differ. Throws an input error where
-/// there is no such frame, colour or view, or a view is given of a run in 2D.
+/// there is no such frame, colour or view, or a view or edges of triangles are asked for of a run in 2D.
 void draw_frame(const std::string& path, const RunFile& run, std::int64_t k,
                 const PictureChoice& choice = {});
 
