@@ -3,6 +3,7 @@
 #include "supple/core/parallel.hpp"
 #include "tests/support/field_check.hpp"
 #include "tests/support/polygons.hpp"
+#include "tests/support/random_surfaces.hpp"
 
 namespace supple {
 namespace {
@@ -15,6 +16,25 @@ TEST(RoughContacts, ForceFieldHoldsWhatEveryFieldMust) {
     ForceField<2> field = testing::polygon_field(RoughContacts<2>(Harmonic{2, seed == 2}));
     testing::FieldCheck(field, system).run();
     EXPECT_GT(field.bodies()->records(system).size(), 10u);
+  }
+}
+
+/// Shaken surfaces and spheres that overlap in a sheared cell.
+TEST(RoughContacts, ForceFieldHoldsWhatEveryFieldMustIn3D) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE(seed);
+    System<3> system;
+    system.box.length = {3.3, 3.5, 3.7};
+    system.box.strain = 0.17;
+    RandomStream draw(seed, Purpose::test);
+    for (int b = 0; b < 6; ++b)
+      testing::add_shaken(system, geodesic_icosahedron(b == 0 && seed == 1 ? 42 : 12),
+                          {1.6 * (b % 2), 1.6 * (b / 2 % 2), 1.5 * (b / 4)}, {}, 0.08, draw);
+    add_sphere_body(system, {2.5, 2.5, 2.6}, 0.7);
+    add_sphere_body(system, {0.9, 2.4, 3.4}, 0.6);
+    ForceField<3> field(RoughContacts<3>(Harmonic{2, seed == 2}));
+    testing::FieldCheck(field, system).run();
+    EXPECT_GT(field.bodies()->records(system).size(), 20u);
   }
 }
 

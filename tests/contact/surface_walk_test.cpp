@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "tests/support/corner_meshes.hpp"
 #include "tests/support/surface_probe.hpp"
 
@@ -91,34 +96,57 @@ TEST(PatchInReach, CountsFacesMinusEdgesPlusVertices) {
   EXPECT_GT(two_arcs, 5) << "of saddle corners";
 }
 
-/// The largest jump of the force along a line: on the step where it changes most, halved again and again.
-double jump_on_line(const SurfaceProbe& probe, const Vec3& a, const Vec3& b, int steps) {
-  const auto at = [&](double s) { return probe.force(a + s * (b - a)); };
-  double from = 0, to = 0, largest = 0;
-  Vec3 low{}, high{}, before = at(0);
-  for (int s = 1; s <= steps; ++s) {
-    const double end = static_cast<double>(s) / steps;
-    const Vec3 now = at(end);
-    if (const double change = norm(now - before); change > largest) {
-      largest = change;
-      from = end - 1.0 / steps, to = end;
-      low = before, high = now;
+/// What a point meets, and the force on it.
+struct Met {
+  std::vector<std::array<std::int32_t, 5>> parts;  ///< of each: how many sites, which, and the sign
+  Vec3 force{};
+
+  Met(const SurfaceProbe& probe, const Vec3& p) {
+    probe.meet(p, [&](const smooth::SurfaceFoot& foot) {
+      parts.push_back({foot.sites, foot.site[0], foot.site[1], foot.site[2], foot.sign});
+      force += foot.sign * (probe.sigma - foot.distance) * foot.normal;
+    });
+    std::ranges::sort(parts);
+  }
+};
+
+/// The force along a line, which is smooth while the point meets the same parts: each change of them is
+/// closed in by halving, down to 2^-28 of the line.
+struct ForceOnLine {
+  const SurfaceProbe& probe;
+  Vec3 a, along;
+  double largest_jump = 0;
+  int changes = 0;
+
+  ForceOnLine(const SurfaceProbe& surface, const Vec3& from, const Vec3& to, int steps)
+      : probe(surface), a(from), along(to - from) {
+    Met low(probe, a);
+    for (int s = 1; s <= steps; ++s) {
+      Met high(probe, a + static_cast<double>(s) / steps * along);
+      close_in(static_cast<double>(s - 1) / steps, static_cast<double>(s) / steps, low, high);
+      low = std::move(high);
     }
-    before = now;
   }
-  for (int halving = 0; halving < 28; ++halving) {
+
+ private:
+  void close_in(double from, double to, const Met& low, const Met& high) {
+    if (low.parts == high.parts) return;
+    if (to - from < std::ldexp(1, -28)) {
+      ++changes;
+      largest_jump = std::max(largest_jump, norm(high.force - low.force));
+      return;
+    }
     const double middle = 0.5 * (from + to);
-    const Vec3 now = at(middle);
-    if (norm(now - low) > norm(high - now)) to = middle, high = now;
-    else from = middle, low = now;
+    const Met between(probe, a + middle * along);
+    close_in(from, middle, low, between);
+    close_in(middle, to, between, high);
   }
-  return norm(high - low);
-}
+};
 
 /// Ten thousand lines round corners of every kind, wherever they stay outside, at any size of the patch.
 TEST(PatchInReach, ForceHasNoJumpOutside) {
   double moved = 0;
-  int lines = 0;
+  int lines = 0, changes = 0;
   for (const TriangleMesh& mesh : {geodesic_icosahedron(42, 3), ell_mesh(), dented_sphere(42, 0.7, 1.1),
                                    star_mesh(42, 0.5, 4), saddle_mesh(2, 0.8), saddle_mesh(3, 0.8), needle}) {
     const SurfaceProbe probe(mesh, 0.6);
@@ -129,12 +157,15 @@ TEST(PatchInReach, ForceHasNoJumpOutside) {
       // The line keeps 0.02 away from the surface: nearer, forces turn fast.
       if (probe.inside(a) || probe.distance(0.5 * (a + b)) < 0.5 * clear + 0.02) continue;
       ++k;
-      const double jump = jump_on_line(probe, a, b, 8);
-      ASSERT_LT(jump, 1e-7 * probe.sigma) << "line " << k << " from " << a[0] << ", " << a[1] << ", " << a[2];
+      const ForceOnLine line(probe, a, b, 8);
+      ASSERT_LT(line.largest_jump, 1e-7 * probe.sigma)
+          << "line " << k << " from " << a[0] << ", " << a[1] << ", " << a[2];
+      changes += line.changes;
       moved += norm(probe.force(a) - probe.force(b));
     }
   }
   EXPECT_GT(moved, 100) << "nothing acted";
+  EXPECT_GT(changes, 5000) << "the point met the same all the way";
 }
 
 /// Into the body through every triangle, also where other parts are near: nothing jumps on the way.

@@ -6,13 +6,16 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/parallel.hpp"
+#include "supple/experiment/experiments.hpp"
 #include "supple/experiment/jam.hpp"
 #include "supple/experiment/random_surfaces.hpp"
 #include "supple/experiment/sound_states.hpp"
+#include "supple/io/text/case_file.hpp"
 #include "supple/model/bodies.hpp"
 #include "supple/model/rigid.hpp"
 #include "supple/observe/body_stress.hpp"
 #include "supple/observe/rattlers.hpp"
+#include "tests/paths.hpp"
 #include "tests/support/dense.hpp"
 #include "tests/support/strained_packing.hpp"
 
@@ -124,6 +127,38 @@ INSTANTIATE_TEST_SUITE_P(
                       rigid("sheared_rigid_rough_12", 12, JamSearch::pressure, 6, 1e-6, 0.4),
                       rigid("sheared_rigid_rough_42", 42, JamSearch::pressure, 8, 1e-6, -0.3)),
     [](const auto& i) { return std::string(i.param.name); });
+/// Steps that are halved above the pressure. Spheres that bear nothing are left just touching there, so that
+/// no slope of the energy is taken.
+TEST(PackingsIn3D, TheChaptersSearchEndsInThePressureWindow) {
+  for (const Family& f : {Family{"spheres", "rough", 1, {}}, Family{"shells", "rough", 42, shell}}) {
+    SCOPED_TRACE(f.name);
+    Packing<3> packing = packing_of(
+        case_of(f),
+        random_surfaces({.count = f.vertices == 1 ? 16 : 4, .vertices = f.vertices, .shape = f.shape}));
+    JamSpec wanted;
+    wanted.search = JamSearch::chapter;
+    wanted.pressure = 1e-4;
+    wanted.step = 0.01;
+    const JamProgress<3> end = jam(packing, wanted);
+    EXPECT_TRUE(in_window(wanted, end.state.pressure)) << end.state.pressure;
+    EXPECT_TRUE(end.last.converged) << end.last.reason;
+    EXPECT_TRUE(look_at(packing).sound()) << look_at(packing).what();
+  }
+}
+
+/// The example of the documents: 16 shells of 42 vertices, rough, to 1 < P/1e-7 < 1.01.
+TEST(PackingsIn3D, TheExampleEndsInItsPressureWindow) {
+  Case c = read_case(std::string(SUPPLE_SOURCE_DIR) + "/examples/jamming_3d.toml");
+  resolve_family(c);
+  MemoryRecorderOf<3> recorder;
+  run(c, nullptr, recorder);
+  const double pressure = recorder.get("results", "pressure");
+  EXPECT_GT(pressure, 1e-7);
+  EXPECT_LT(pressure, 1.01e-7);
+  EXPECT_EQ(recorder.get("results", "unsound"), 0);
+  EXPECT_EQ(recorder.get("results", "contacts_beyond_isostatic"), 0);
+}
+
 /// Without stiff triangles a droplet bears the tension gamma s0 = 3/2 max(x - x^4) k_v v0^2 = 0.7087.
 TEST(PackingsIn3D, TensionThatNothingBearsIsRefused) {
   const Case c = case_of({"droplets", "rough", 42, {}});
