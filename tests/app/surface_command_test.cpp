@@ -81,6 +81,20 @@ TEST_F(SurfaceCommand, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
   }
 }
 
+/// The example of docs/packing_json.md moves.
+TEST_F(SurfaceCommand, ThePackingOfTheDocumentRuns) {
+  const std::string text = read_text(std::string(SUPPLE_SOURCE_DIR) + "/docs/packing_json.md"),
+                    fence = "```json\n";
+  const auto begin =
+      text.find(fence, text.find("## Surfaces and a sphere in a sheared cell\n")) + fence.size();
+  write("example.json", text.substr(begin, text.find("```", begin) - begin));
+  write("move.toml",
+        "experiment = \"dynamics\"\n[initial]\npacking = \"example.json\"\n[time]\nsteps = 50\n");
+  const Outcome run = supple("run move.toml");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_GT(shown("move.h5")["results"]["energy_contact"]["value"], 0);
+}
+
 TEST_F(SurfaceCommand, AreJammedShownDrawnAndExported) {
   write("jam.toml",
         "experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\nvertices = 12\n[jamming]\n"

@@ -103,7 +103,7 @@ void run_body_dynamics(const Case& c, const InitialState* initial, Recorder& rec
 Experiment body_dynamics() {
   return {
       .name = "dynamics",
-      .meaning = "deformable particles in motion, sheared where shear.rate says so",
+      .meaning = "deformable particles in motion, in 2D sheared where shear.rate says so",
       .matter = &body_matter(),
       .keys = with(with(moving_keys(), rubbing_keys()),
                    {"jamming.packing_fraction", "motion.kinetic_energy", "time.steps", "initial.keep_time",
