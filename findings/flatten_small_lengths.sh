@@ -6,7 +6,8 @@
 # Guess: the same ratios for any length.
 # Seen: the distance of hexagons of 1e-3, a millimetre in metres, is 0.37 or so where it is 0.591, and from 1e-3 on always:
 # lengths are compared with 1e-6, squared or not. At 0.003 it begins to be off. Overlaps hold out to 1e-4; at 1e-5 what these
-# two share is a whole hexagon, 2.598. Circles of 1e-6 with a gap of half a radius touch. No error, no warning.
+# two share is a whole hexagon, 2.598. Circles of 1e-6 with a gap of half a radius touch. No error, no warning. Distances are
+# right after Utils.setTolerance(1e-14).
 #   radius 1: distance 0.591, overlap 0.392, circles apart
 #   radius 0.01: distance 0.591, overlap 0.392, circles apart
 #   radius 0.003: distance 0.588, overlap 0.392, circles apart
