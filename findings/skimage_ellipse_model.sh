@@ -44,7 +44,7 @@ def look(place, centred):
         swapped += b > a
         worst = max(worst, abs(max(a, b) / 3 - 1), abs(min(a, b) / 2 - 1))
     first.append(swapped)
-    right = "right to 1e-6" if worst < 1e-6 else "right to 1e-2" if worst < 1e-2 else "more than 10% off" if worst > 0.1 else "off"
+    right = "more than 10% off" if worst > 0.1 else f"right to {'1e-6' if worst < 1e-6 else '1e-2' if worst < 1e-2 else '1e-1'}"
     return f"half axes {right}, fits {'not for all' if missing else 'for all'}"
 
 
