@@ -55,7 +55,8 @@ for (const mass of [1, 1.003, 1.004, 1.5, 1.7, 2, 7, 1e-6]) {
   const given = +H.HP_Body_GetMassProperties(body)[1][1].toPrecision(6);
   const text = given < 1e-3 ? given.toExponential().replace('e-6', 'e-06') : given;
   const set = mass < 1e-3 ? '1e-06' : mass;
-  console.log(`mass ${set}: velocity ${velocity(body).toFixed(4)}, angular velocity ${turn.toFixed(4)}, mass as given back ${text}`);
+  const seen = `velocity ${velocity(body).toFixed(4)}, angular velocity ${turn.toFixed(4)}`;
+  console.log(`mass ${set}: ${seen}, mass as given back ${text}`);
 }
 for (const [a, b] of [[1, 1], [1, 1.7], [3, 7]]) {
   const world = empty();

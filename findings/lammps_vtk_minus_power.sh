@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Formulas: equal-style variables of LAMMPS 20220106, vtkArrayCalculator of VTK 9.1 with each of its two parsers, and Octave 7.3
-# (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2, python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1, octave 7.3.0-2), for x = 2.
+# Formulas: equal-style variables of LAMMPS 20220106, vtkArrayCalculator of VTK 9.1 with each of its two parsers, and Octave
+# 7.3 (Debian 12: lammps 20220106.git7586adbb6a+ds1-2+b2, python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1, octave 7.3.0-2), for
+# x = 2.
 #
 # Guess: -x^2 is -4, exp(-x^2/2) is 0.135 and 2^3^2 is 512, as on paper and in Octave's -x^2.
-# Seen: in LAMMPS, and in VTK with its older parser (SetFunctionParserTypeToFunctionParser), the minus comes before the power: -x^2 is +4, and a Gaussian profile exp(-x^2/2) grows to 7.39, where 1-x^2 is -3. The other
-# parser of VTK, its default for calculators, has -4. Powers of powers are taken from the left in LAMMPS, VTK's older parser and
-# Octave, 64, and from the right in the other. A force field or an initial velocity pasted from one into the other has the
-# other sign. Write -(x^2) or 0-x^2.
+# Seen: in LAMMPS, and in VTK with its older parser (SetFunctionParserTypeToFunctionParser), the minus comes before the power:
+# -x^2 is +4, and a Gaussian profile exp(-x^2/2) grows to 7.39, where 1-x^2 is -3. The other parser of VTK, its default for
+# calculators, has -4. Powers of powers are taken from the left in LAMMPS, VTK's older parser and Octave, 64, and from the
+# right in the other. A force field or an initial velocity pasted from one into the other has the other sign. Write -(x^2) or
+# 0-x^2.
 #   LAMMPS: -x^2 4, 1-x^2 -3, exp(-x^2/2) 7.389, -(x^2) -4, 2^3^2 64
 #   VTK, FunctionParser: -x^2 4, 1-x^2 -3, exp(-x^2/2) 7.389, -(x^2) -4, 2^3^2 64
 #   VTK, ExprTkFunctionParser: -x^2 -4, 1-x^2 -3, exp(-x^2/2) 0.1353, -(x^2) -4, 2^3^2 512

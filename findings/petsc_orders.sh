@@ -4,9 +4,9 @@
 #
 # Guess: the orders by their names or in the manual: 3 for ra34pw2, rodas3 and sandu3, 4 for grk4t, shamp4, veldd4 and 4l, 3
 # and 4 for arkimex, and that of -ts_bdf_order for bdf.
-# Seen: the six Rosenbrock methods that are not built for an inexact Jacobian have order 1 as soon as the force depends on
-# time, 3e-3 to 1e-2 at a step of 0.025 where a free oscillation has 1e-9 to 1e-6, as if the change of the force in time were
-# not in their stages. ra34pw2 and arkimex are right. bdf of order 4 or 6 has order 2 or 3, not more. Give the time as a component of its own, or take arkimex.
+# Seen: all of these Rosenbrock methods but ra34pw2 have order 1 as soon as the force depends on time, 3e-3 to 1e-2 at a step
+# of 0.025 where a free oscillation has 1e-9 to 1e-6, as if the change of the force in time were not in their stages. arkimex
+# is right. bdf of order 4 or 6 has order 2 or 3, not more. Nothing tells.
 #   rosw rodas3: free 3.0, driven 1.0
 #   rosw sandu3: free 3.0, driven 1.0
 #   rosw grk4t: free 4.0, driven 1.0

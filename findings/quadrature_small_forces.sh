@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# R 4.2.2, Octave 7.3, SciPy 1.10.1 (Debian 12: r-base-core 4.2.2.20221110-2, octave 7.3.0-2, python3-scipy 1.10.1-2), integrals
-# as they come: the impulse of a contact, a force F sin(pi t)^1.5 for 0 < t < 1 and 0 after it, over 0 < t < 20, for F of 1 down to
-# 1e-9, over F; exactly 0.556418.
+# R 4.2.2, Octave 7.3, SciPy 1.10.1 (Debian 12: r-base-core 4.2.2.20221110-2, octave 7.3.0-2, python3-scipy 1.10.1-2),
+# integrals as they come: the impulse of a contact, a force F sin(pi t)^1.5 for 0 < t < 1 and 0 after it, over 0 < t < 20, for
+# F of 1 down to 1e-9, over F; exactly 0.556418.
 #
 # Guess: the same for each F, as the function is the same in other units.
-# Seen: all have an absolute tolerance besides the relative one, and the looser of the two counts: 1.2e-4 in R, 1.5e-8 in SciPy,
-# 1e-10 in Octave. In R a force of a millinewton is off by 1.2%, of a micronewton by 2%, with the message "OK"; at a nanonewton
-# SciPy is off by 2%, `quad` of Octave by 9.6% and `integral` by 0.7%. Nothing warns. Give abs.tol = 0, epsabs = 0, AbsTol 0.
+# Seen: all have an absolute tolerance besides the relative one, and the looser of the two counts: 1.2e-4 in R, 1.5e-8 in
+# SciPy, 1e-10 in Octave. In R a force of a millinewton is off by 1.2%, of a micronewton by 2%, with the message "OK"; at a
+# nanonewton SciPy is off by 2%, `quad` of Octave by 9.6% and `integral` by 0.7%. Nothing warns. Give abs.tol = 0, epsabs = 0,
+# AbsTol 0.
 #   F 1: R 0.5564, SciPy 0.5564, Octave quad 0.5564, integral 0.5564
 #   F 0.001: R 0.5630, SciPy 0.5564, Octave quad 0.5564, integral 0.5564
 #   F 1e-06: R 0.5675, SciPy 0.5564, Octave quad 0.5564, integral 0.5564
