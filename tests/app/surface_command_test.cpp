@@ -25,6 +25,15 @@ class SurfaceCommand : public CommandTest {
     EXPECT_EQ(run.code, 0) << run.err;
     return shown(name + ".h5")["results"];
   }
+  /// Every term has its energy, one without stiffness 0, and there are no others.
+  static void expect_sum_of_terms(const json& results) {
+    double sum = 0;
+    for (const char* term : {"volume", "area", "bending", "tension", "contact"})
+      sum += results[std::string("energy_") + term]["value"].get<double>();
+    for (const char* term : {"energy_wall", "energy_external"})
+      if (results.contains(term)) sum += results[term]["value"].get<double>();
+    EXPECT_NEAR(sum, results["energy"]["value"].get<double>(), 1e-13);
+  }
   static json expected_of(const std::string& name) {
     return json::parse(read_text(reference_path(name)))["expected"];
   }
@@ -76,6 +85,7 @@ TEST_F(SurfaceCommand, ARunOfNoStepsHasTheNumbersOfSingleParticles) {
     SCOPED_TRACE(name);
     const json reference = expected_of(name), results = results_of_reference(name);
     EXPECT_NEAR(results["energy"]["value"], reference["energy"], 1e-12);
+    expect_sum_of_terms(results);
     EXPECT_NEAR(results["mean_shape_parameter"]["value"], reference["shape_parameter"], 1e-10);
     EXPECT_LT(results["residual"]["value"], 1e-12);
   }
@@ -92,7 +102,18 @@ TEST_F(SurfaceCommand, ThePackingOfTheDocumentRuns) {
         "experiment = \"dynamics\"\n[initial]\npacking = \"example.json\"\n[time]\nsteps = 50\n");
   const Outcome run = supple("run move.toml");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_GT(shown("move.h5")["results"]["energy_contact"]["value"], 0);
+  const json results = shown("move.h5")["results"];
+  EXPECT_GT(results["energy_contact"]["value"], 0);
+  expect_sum_of_terms(results);
+  write("box.json",
+        R"({"k_v": 1, "k_a": 1, "k_b": 0, "k_c": 1, "contact": "rough", "box": [2, 2, 2], "gravity": 0.1,
+    "periodic": [false, false, false], "particles": [{"sigma": 1, "x": [[0.4, 0.3, 1]]}]})");
+  write("box.toml", "experiment = \"dynamics\"\n[initial]\npacking = \"box.json\"\n[time]\nsteps = 0\n");
+  EXPECT_EQ(supple("run box.toml").code, 0);
+  const json walled = shown("box.h5")["results"];
+  EXPECT_GT(walled["energy_wall"]["value"], 0);
+  EXPECT_NE(walled["energy_external"]["value"], 0);
+  expect_sum_of_terms(walled);
 }
 
 TEST_F(SurfaceCommand, AreJammedShownDrawnAndExported) {

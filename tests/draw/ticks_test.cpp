@@ -31,6 +31,7 @@ TEST(Ticks, AreLabelledWithTheDecimalsOfTheirStep) {
   EXPECT_EQ(tick_label(-20, 10), "\u221220");
   EXPECT_EQ(tick_label(-1e-17, 0.1), "0.0");
   EXPECT_EQ(tick_label(3e7, 1e7), "3e+07");
+  EXPECT_EQ(tick_label(1.040002, 2e-6), "1.040002");
 }
 
 TEST(RoundBelow, IsOneTwoOrFiveTimesAPowerOfTen) {
