@@ -240,9 +240,11 @@ TEST(AllImages, CellsInWhichANeighbourIsMetOnTwoSidesAreRefused) {
   }
   System<2> flat = discs_anywhere(4, 1, {12, 3}, 0, 1);
   for (double& r : flat.state.radius) r = 1;
-  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("the period of the cell along y is "))
+  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("the period of the cell along y is 0.75 of the least"))
       << "a length would need its unit";
   EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("; take a larger cell"));
+  flat.box.length[gradient] = 3.999;
+  EXPECT_THAT(complaint_of(flat), ::testing::HasSubstr("is shorter than the least, by 0.00025 of it"));
   System<2> alone = discs_anywhere(1, 1, {2.1, 2.1}, 0, 1);
   EXPECT_EQ(complaint_of(alone), "");  // a single disc has no neighbour
   alone.box.length = {1.3, 2.1};

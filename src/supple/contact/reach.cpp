@@ -64,11 +64,14 @@ double least_period(const System<Dim>& system, const std::vector<double>& reach)
 }
 
 Error ShortPeriod::error(ErrorKind kind) const {
+  const double share = length / least;  // a length would need its unit
+  const std::string how_short = share < 0.99
+                                    ? fmt::format("is {:.3g} of the least", share)
+                                    : fmt::format("is shorter than the least, by {:.2g} of it", 1 - share);
   return Error(
       kind,
-      fmt::format("the period of the cell along {} is {:.6g}: below {:.6g} a particle meets itself or a "
-                  "neighbour on two sides",
-                  "xyz"[direction], length, least),
+      fmt::format("the period of the cell along {} {}: a particle meets itself or a neighbour on two sides",
+                  "xyz"[direction], how_short),
       "only the nearest image would count", "take a larger cell, or more particles");
 }
 
