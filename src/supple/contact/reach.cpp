@@ -72,7 +72,7 @@ Error ShortPeriod::error(ErrorKind kind) const {
       kind,
       fmt::format("the period of the cell along {} {}: a particle meets itself or a neighbour on two sides",
                   "xyz"[direction], how_short),
-      "only the nearest image would count", "take a larger cell, or more particles");
+      "only the nearest image would count", "take a larger cell, or raise bodies.N or particles.N");
 }
 
 template std::vector<double> reach_of_sites(const System<2>&, Meeting, double);
