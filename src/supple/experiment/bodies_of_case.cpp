@@ -115,7 +115,7 @@ LooseBody measure_alone(const Case& c, const Species& species, int body, const V
 LooseBody measure_here(const Case& c, const Species& species, int body, const System<2>& system, int index) {
   const int first = system.topology.body_begin(index);
   const std::span ring(system.state.position.data() + first,
-                       static_cast<std::size_t>(system.topology.body_size(index)));
+                       static_cast<std::size_t>(system.topology.boundary_size(index)));
   const double radius = outer_radius(system, index);
   if (const auto area = plain_area(ring, system.state.radius[first], outline_of(c))) return {*area, radius};
   return measure_alone(c, species, body, {}, 4 * radius);

@@ -18,6 +18,7 @@
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
+#include "supple/force/solid_terms.hpp"
 #include "supple/force/surface_shape.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/body_stress.hpp"
@@ -72,6 +73,7 @@ ForceField<Dim> make_body_field(const Case& c) {
   ForceField<Dim> field =
       c.contact.kind == "smooth" ? ForceField<Dim>(Smooth(laws)) : ForceField<Dim>(RoughContacts<Dim>(laws));
   field.terms().add(std::make_shared<WholeShape>());
+  field.terms().add(std::make_shared<SolidTerms<Dim>>());
   field.terms().add(std::make_shared<BodyTermSet<Dim>>());
   return field;
 }

@@ -29,6 +29,12 @@ template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
 
 template <int Dim>
+void write_solid(h5::Group group, const Solid<Dim>& solid, const Units& units);
+/// Throws a file error where bonds and elements do not fit the bodies.
+template <int Dim>
+Solid<Dim> read_solid(const h5::Group& group, const Topology<Dim>& topology);
+
+template <int Dim>
 void write_rigid_bodies(h5::Group group, const RigidBodiesOf<Dim>& rigid, const Units& units);
 /// Throws a file error where the rigid bodies do not fit the topology.
 template <int Dim>
