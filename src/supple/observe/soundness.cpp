@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "supple/geometry/simplex.hpp"
 #include "supple/observe/polygon_look.hpp"
 #include "supple/observe/surface_look.hpp"
 
@@ -42,12 +43,9 @@ template <int Dim>
 bool has_inverted_element(const System<Dim>& system, int b) {
   const Solid<Dim>& solid = system.solid;
   for (std::int32_t k = solid.element_begin[b]; k < solid.element_begin[b + 1]; ++k) {
-    Mat<Dim> edges;
-    for (int a = 0; a < Dim; ++a)
-      for (int d = 0; d < Dim; ++d)
-        edges[d][a] = system.state.position[solid.element[k][a]][d] -
-                      system.state.position[solid.element[k][Dim]][d];
-    if (!(determinant(edges) > 0)) return true;
+    Vec<Dim> corner[Dim + 1];
+    for (int a = 0; a <= Dim; ++a) corner[a] = system.state.position[solid.element[k][a]];
+    if (!(simplex_volume(corner) > 0)) return true;
   }
   return false;
 }

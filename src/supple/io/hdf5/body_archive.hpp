@@ -7,6 +7,7 @@
 #include "supple/model/body_terms.hpp"
 #include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
+#include "supple/model/solid.hpp"
 #include "supple/model/topology.hpp"
 #include "supple/model/units.hpp"
 
