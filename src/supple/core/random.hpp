@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
   body_velocity = 11,
   area_sample = 12,
   line_lattice = 13,
+  solid_node = 14,
   test = 100
 };
 
