@@ -258,6 +258,10 @@ SolidMesh<3> network_ball(int nodes, double volume, std::uint64_t seed, double w
   require_network(nodes, 13, volume, "ball");
   SolidMesh<3> mesh;
   mesh.boundary = nodes_on_sphere(nodes);
+  const double bonds = std::round(0.5 * wanted * nodes);
+  if (!(wanted >= 6 && wanted <= nodes - 1 && bonds >= 3 * mesh.boundary - 6))
+    throw input_error(fmt::format("a network of {} nodes with a coordination of {}", nodes, wanted),
+                      fmt::format("it can be from 6, below which nothing is stiff, to {}", nodes - 1));
   RandomStream draw(seed, Purpose::solid_node);
   const double spacing = spacing_in_ball(nodes, mesh.boundary);
   scatter(mesh.node, static_cast<std::size_t>(mesh.boundary), spacing, [&] { return point_on_sphere(draw); });
@@ -268,10 +272,6 @@ SolidMesh<3> network_ball(int nodes, double volume, std::uint64_t seed, double w
   mesh.facet = std::move(found.hull);
   mesh.element = std::move(found.simplex);
   const auto edges = edges_of(mesh.facet);
-  const double bonds = std::round(0.5 * wanted * nodes);
-  if (!(wanted >= 6 && wanted <= nodes - 1 && bonds >= static_cast<double>(edges.size())))
-    throw input_error(fmt::format("a network of {} nodes with a coordination of {}", nodes, wanted),
-                      fmt::format("it can be from 6, below which nothing is stiff, to {}", nodes - 1));
   mesh.bond = nearest_pairs(mesh.node, edges, static_cast<std::size_t>(bonds));
   scale_to(mesh, volume);
   return mesh;

@@ -47,7 +47,7 @@ SolidMesh<2> network_disc(int nodes, double area, std::uint64_t seed);
 /// of the surface are bonds in any case. Elements are the Delaunay tetrahedra of the nodes; they say whether
 /// the network turned inside out. The same numbers give the same bits everywhere. Input error for fewer than
 /// 13 nodes, a volume that is not positive, or a coordination that the nodes cannot have.
-SolidMesh<3> network_ball(int nodes, double volume, std::uint64_t seed, double coordination = 23.02);
+SolidMesh<3> network_ball(int nodes, double volume, std::uint64_t seed, double coordination = 23.0194);
 
 /// The corners of a polygon, counter-clockwise, or a closed surface as it is, and one more node at the
 /// centroid of what they enclose; elements are the triangles (tetrahedra) of this node and the facets
