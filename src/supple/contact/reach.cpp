@@ -12,7 +12,16 @@ template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range) {
   std::vector<double> reach = system.state.radius;
   for (double& r : reach) r *= range;
-  if (meeting == Meeting::sites) return reach;
+  const auto leave_out_inside = [&] {
+    for (int b = 0; b < system.solid.bodies(); ++b)
+      if (system.solid.fills(b))
+        std::fill(reach.begin() + system.topology.body_begin(b) + system.topology.boundary_size(b),
+                  reach.begin() + system.topology.body_end(b), out_of_reach);
+  };
+  if (meeting == Meeting::sites) {
+    leave_out_inside();
+    return reach;
+  }
   std::vector<double> most(reach.size());
   for (const auto& facet : system.topology.facet) {
     Vec<Dim> x[Dim];
@@ -21,6 +30,7 @@ std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, d
     for (const std::int32_t site : facet) most[site] = std::max(most[site], radius);
   }
   for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += most[i];
+  leave_out_inside();
   return reach;
 }
 

@@ -15,7 +15,8 @@ enum class Meeting { sites, facets };
 /// Of each site, the radius within which it may touch something [length]: its own times the range of the law
 /// and, with Meeting::facets, the largest facet_covering_radius there. A site that touches a facet is then
 /// within the sum of reaches of one of its corners, as the place where they touch is within that radius of
-/// it.
+/// it. Sites inside a solid touch nothing: out_of_reach.
+inline constexpr double out_of_reach = -1;
 template <int Dim>
 std::vector<double> reach_of_sites(const System<Dim>& system, Meeting meeting, double range = 1);
 

@@ -43,6 +43,7 @@ SiteGrid<Dim>::SiteGrid(const System<Dim>& system, const std::vector<double>& ra
   for (double r : radius) largest = std::max(largest, r);
   std::vector<Level> levels(most_levels);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(radius.size()); ++i) {
+    if (radius[i] < 0) continue;
     int k = 0;
     for (double bound = 0.5 * largest; radius[i] < bound && k < most_levels - 1; bound *= 0.5) ++k;
     levels[k].site.push_back(i);
@@ -100,6 +101,7 @@ void SiteGrid<Dim>::sort(Level& level) const {
 
 template <int Dim>
 void SiteGrid<Dim>::append_near(std::int32_t i, std::vector<std::int32_t>& near) const {
+  if (radius_[i] < 0) return;
   const auto before = static_cast<std::ptrdiff_t>(near.size());
   const double distance = radius_[i] + skin_;
   for (const Level& level : levels_) {

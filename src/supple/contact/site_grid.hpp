@@ -16,7 +16,7 @@ template <int Dim>
 class SiteGrid {
  public:
   /// Two sites are near each other if their distance is below the sum of their radii (as given here) and the
-  /// skin.
+  /// skin. Those of a negative radius are near nothing.
   SiteGrid(const System<Dim>& system, const std::vector<double>& radius, double skin);
 
   /// Appends the sites j > i of other bodies that have an image near site i, in no order and some of them

@@ -110,6 +110,14 @@ struct Mat {
 };
 using Mat2 = Mat<2>;
 
+/// Determinant of a matrix.
+constexpr double determinant(const Mat<2>& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
+constexpr double determinant(const Mat<3>& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
 /// Moment of inertia [mass length^2]: a number about z in 2D, a tensor in 3D.
 template <int Dim>
 using Inertia = std::conditional_t<Dim == 2, double, Mat<Dim>>;

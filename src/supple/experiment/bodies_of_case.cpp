@@ -40,9 +40,22 @@ bool buckles(const Case& c, const ParticleKind& p) {
   return is_soft(p) && preferred_shape_parameter(c, p) > least_shape_parameter(c, p) * (1 + 1e-9);
 }
 
+/// Whether each particle of the kind is another one.
+bool is_drawn(const Case& c, const ParticleKind& p) { return buckles(c, p) || p.family == "network"; }
+
 /// Largest push of a vertex, over its distance from the centre: a quarter of an edge at most, or a ring of
 /// very many vertices would be a saw with teeth longer than the vertices are wide.
 double largest_push(int vertices) { return std::min(0.01, 0.5 * std::sin(pi / vertices)); }
+
+void add_solid_particle(const Case& c, const Species& species, int body, const Vec2& centre, double angle,
+                        System<2>& system) {
+  const SolidSpec spec = solid_spec(species);
+  SolidMesh<2> mesh = solid_mesh<2>(spec, species.vertices, network_seed(c.general.seed, body));
+  const Vec2 turn = species.diameter * Vec2{std::cos(angle), std::sin(angle)};
+  for (Vec2& x : mesh.node)
+    x = centre + Vec2{turn[0] * x[0] - turn[1] * x[1], turn[1] * x[0] + turn[0] * x[1]};
+  add_solid(system, mesh, species.diameter_ratio, spec);
+}
 
 /// Adds the particle `body` of the case, of this species, about a centre.
 void add_particle(const Case& c, const Species& species, int body, const Vec2& centre, System<2>& system) {
@@ -51,9 +64,10 @@ void add_particle(const Case& c, const Species& species, int body, const Vec2& c
   RandomStream draw(static_cast<std::uint64_t>(c.general.seed), Purpose::body_angle,
                     static_cast<std::uint64_t>(body));
   const int index = system.topology.body_count(system.state.size());
+  if (is_solid(species)) return add_solid_particle(c, species, body, centre, draw.uniform(0, 2 * pi), system);
   add_polygon(system, centre, area, species.vertices, draw.uniform(0, 2 * pi), species.diameter_ratio,
               shape_spec(c, species));
-  if (!is_soft(species)) return make_rigid(system, index);
+  if (is_rigid(species)) return make_rigid(system, index);
   if (species.k_perimeter > 0) {
     const std::vector<double>& edges = system.shape.rest_facet;
     const double rest = std::accumulate(edges.end() - species.vertices, edges.end(), 0.0);
@@ -115,7 +129,7 @@ LooseBody measure_alone(const Case& c, const Species& species, int body, const V
 LooseBody measure_here(const Case& c, const Species& species, int body, const System<2>& system, int index) {
   const int first = system.topology.body_begin(index);
   const std::span ring(system.state.position.data() + first,
-                       static_cast<std::size_t>(system.topology.body_size(index)));
+                       static_cast<std::size_t>(system.topology.boundary_size(index)));
   const double radius = outer_radius(system, index);
   if (const auto area = plain_area(ring, system.state.radius[first], outline_of(c))) return {*area, radius};
   return measure_alone(c, species, body, {}, 4 * radius);
@@ -132,7 +146,7 @@ LooseBody measure_here(const Case& c, const Species& species, int body) {
 std::map<const Species*, LooseBody> measure_kinds(const Case& c, const std::vector<Species>& all) {
   std::map<const Species*, LooseBody> found;
   for (const Species& s : all)
-    if (!buckles(c, s)) found[&s] = measure_here(c, s, 0);
+    if (!is_drawn(c, s)) found[&s] = measure_here(c, s, 0);
   return found;
 }
 
@@ -157,8 +171,16 @@ std::vector<Species> species_of(const Case& c) {
 }
 
 bool is_disc(const ParticleKind& kind) { return kind.family == "disc" || kind.family == "sphere"; }
-bool is_soft(const ParticleKind& kind) {
-  return !is_disc(kind) && kind.family != "rough_disc" && kind.family != "rough_sphere";
+bool is_rigid(const ParticleKind& kind) {
+  return kind.family == "rough_disc" || kind.family == "rough_sphere";
+}
+bool is_solid(const ParticleKind& kind) { return kind.family == "network" || kind.family == "elastic"; }
+bool is_soft(const ParticleKind& kind) { return !is_disc(kind) && !is_rigid(kind) && !is_solid(kind); }
+
+SolidSpec solid_spec(const ParticleKind& kind) {
+  return {kind.family == "network" ? Filling::network : Filling::elements,
+          kind.k_s,
+          {kind.young_modulus, kind.poisson_ratio}};
 }
 
 double least_shape_parameter(const Case& c, const ParticleKind& kind) {
@@ -204,7 +226,7 @@ SampleSize sample_size(const Case& c) {
   SampleSize count;
   for (const Species& s : species_of(c)) {
     count.bodies += s.count;
-    count.sites += std::int64_t{s.count} * (is_disc(s) ? 1 : s.vertices);
+    count.sites += std::int64_t{s.count} * (is_disc(s) ? 1 : s.vertices + (s.family == "elastic" ? 1 : 0));
   }
   return count;
 }
@@ -225,7 +247,7 @@ LooseBodies loose_bodies(const Case& c, double packing_fraction_wanted, const En
     for (auto b = static_cast<int>(begin); b < end; ++b) {
       const auto known = kinds.find(species[b]);
       const auto measured = [&] {
-        if (buckles(c, *species[b]))
+        if (is_drawn(c, *species[b]))
           return set_apart ? measure_here(c, *species[b], b, *set_apart, b) : measure_here(c, *species[b], b);
         // Every packing follows, to the last bit, from areas there.
         return known != kinds.end() ? known->second : measure_alone(c, *species[b], b, {pitch * b, 0}, apart);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "supple/build/solid_bodies.hpp"
 #include "supple/experiment/case.hpp"
 #include "supple/model/polygons.hpp"
 #include "supple/model/system.hpp"
@@ -18,8 +19,14 @@ namespace supple {
 std::vector<Species> species_of(const Case& c);
 
 bool is_disc(const ParticleKind& kind);
-/// Whether it has a shape energy: neither discs nor rigid polygons do.
+/// Whether it is a polygon or surface that moves as one piece.
+bool is_rigid(const ParticleKind& kind);
+/// Whether it has an inside, of springs or elastic elements.
+bool is_solid(const ParticleKind& kind);
+/// Whether it has a shape energy (Table 9.1): none of the others do.
 bool is_soft(const ParticleKind& kind);
+/// What a solid is filled with.
+SolidSpec solid_spec(const ParticleKind& kind);
 /// The least shape parameter that a particle of so many vertices can have: of the regular polygon, or of the
 /// geodesic sphere; 1 where there is none of so many.
 double least_shape_parameter(const Case& c, const ParticleKind& kind);

@@ -88,7 +88,8 @@ void check_dimensions(const Case& c, const std::string& section, const ParticleK
       refuse(fmt::format("family = \"{}\"", disc), "discs are of two dimensions",
              fmt::format("set family = \"{}\"", sphere));
   }
-  if (const int nearest = nearest_geodesic(p.vertices); !flat && !is_disc(p) && nearest != p.vertices)
+  if (const int nearest = nearest_geodesic(p.vertices);
+      !flat && !is_disc(p) && p.family != "network" && nearest != p.vertices)
     refuse(fmt::format("vertices = {}", p.vertices),
            "a geodesic sphere has 12, 42, 162, 642 ... of them: triangles of an icosahedron cut into four",
            fmt::format("take {}", nearest));
@@ -107,7 +108,16 @@ void check_kind(const Case& c, const std::string& section, const ParticleKind& p
     add_problem(problems, c, fmt::format("{0}.A0 and {0}.A0_ratio", section),
                 "the second is the first over that of the regular polygon", "leave one away");
   if (!is_disc(p)) check_ratio(c, section + ".A0_ratio", p.shape_ratio, problems);
-  if (!is_disc(p) && !is_soft(p) && c.contact.kind == "smooth")
+  if (p.family == "network" && c.is_given(section + ".E") && p.k_s > 0)
+    add_problem(problems, c, fmt::format("{0}.E and {0}.k_s", section), "one follows from the other",
+                "leave one away");
+  if (p.family == "network" && p.k_s == 0 && !c.is_given(section + ".E"))
+    add_problem(problems, c, fmt::format("{0}.k_s = 0", section), "nothing keeps the network together",
+                "raise it, or give E");
+  if (const double most = flat ? 1 : 0.5; p.family == "elastic" && p.poisson_ratio >= most)
+    add_problem(problems, c, fmt::format("{}.nu = {}", section, p.poisson_ratio),
+                "a material that keeps its volume has 0.5", "give less than 0.5");
+  if (is_rigid(p) && c.contact.kind == "smooth")
     add_problem(problems, c,
                 fmt::format("{}.family = \"{}\" with contact.kind = \"smooth\"", section, p.family),
                 flat ? "a rough disc is a ring of vertices" : "a rough sphere is a surface of vertices",

@@ -84,6 +84,8 @@ struct ParticleKind {
   /// Defaults of the family "shell"; see resolve_family. In 3D k_v is of the volume and k_a of triangles.
   double k_v = 1, k_a = 1, k_l = 1, k_b = 0.05, gamma = 0;
   double k_perimeter = 0;
+  /// Of solids: spring, Young's modulus and Poisson's ratio. k_s = 0: from Young's modulus.
+  double k_s = 1, young_modulus = 1, poisson_ratio = 0.3;
 };
 
 /// Deformable particles of one kind and two sizes, in units in which the preferred area (3D: volume) of a

@@ -24,6 +24,10 @@ void complete_family(const Case& c, const std::string& section, ParticleKind& p)
   };
   const bool flat = c.bodies.dimensions == 2;
   if (!flat) unless_given("vertices", p.vertices, 42);
+  if (p.family == "network") {
+    unless_given("vertices", p.vertices, flat ? 80 : 400);
+    if (c.is_given(section + ".E")) unless_given("k_s", p.k_s, 0.0);
+  }
   if (p.family == "floppy") {
     unless_given("k_b", p.k_b, 0.0);
     if (p.shape_parameter == 0 && p.shape_ratio == 0)

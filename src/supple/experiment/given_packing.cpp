@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "supple/build/solid_bodies.hpp"
+
 namespace supple {
 
 namespace {
@@ -41,10 +43,47 @@ std::array<StiffnessKey, 4> stiffness_keys(const Preferred& p) {
            {"bodies.gamma", &K::gamma, &S::tension, p.facets * p.facet}}};
 }
 
+/// The stiffness of the first solid as keys that are not given.
+template <int Dim>
+void adopt_inside(Case& c, const System<Dim>& system) {
+  const auto unless_given = [&](const char* key, double ParticleKind::*of_case, double value) {
+    if (!c.is_given(key)) c.bodies.*of_case = value;
+  };
+  for (int b = 0; b < system.solid.bodies(); ++b) {
+    const auto constants = nominal_constants(system, b);
+    if (!constants) continue;
+    unless_given("bodies.k_s", &ParticleKind::k_s, system.solid.stiffness[b].bond);
+    unless_given("bodies.E", &ParticleKind::young_modulus, constants->young_modulus);
+    unless_given("bodies.nu", &ParticleKind::poisson_ratio, constants->poisson_ratio);
+    return;
+  }
+}
+
+/// What the case gives of the insides of bodies.
+template <int Dim>
+void give_inside(const Case& c, System<Dim>& system) {
+  const bool has_modulus = c.is_given("bodies.E"), has_ratio = c.is_given("bodies.nu");
+  for (int b = 0; b < system.solid.bodies(); ++b) {
+    SolidStiffness& k = system.solid.stiffness[b];
+    const auto constants = nominal_constants(system, b);
+    if (constants && k.bond > 0) {
+      if (has_modulus) k.bond *= c.bodies.young_modulus / constants->young_modulus;
+      if (c.is_given("bodies.k_s")) k.bond = c.bodies.k_s;
+    } else if (constants && (has_modulus || has_ratio)) {
+      const LameConstants lame =
+          lame_constants<Dim>({has_modulus ? c.bodies.young_modulus : constants->young_modulus,
+                               has_ratio ? c.bodies.poisson_ratio : constants->poisson_ratio});
+      k.lambda = lame.lambda;
+      k.mu = lame.mu;
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
 void adopt_stiffness(Case& c, const System<Dim>& system) {
+  adopt_inside(c, system);
   const auto& all = system.shape.stiffness;
   const auto soft = std::find_if(all.begin(), all.end(), is_soft);
   if (soft == all.end()) return;
@@ -57,6 +96,7 @@ void adopt_stiffness(Case& c, const System<Dim>& system) {
 
 template <int Dim>
 void give_stiffness(const Case& c, System<Dim>& system) {
+  give_inside(c, system);
   const bool relative = c.bodies.stiffness == "relative";
   for (std::size_t body = 0; body < system.shape.stiffness.size(); ++body) {
     ShapeStiffness& k = system.shape.stiffness[body];

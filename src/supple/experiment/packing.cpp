@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "supple/build/solid_bodies.hpp"
 #include "supple/build/surfaces.hpp"
 #include "supple/contact/edge_cover.hpp"
 #include "supple/contact/rough_contacts.hpp"
@@ -18,6 +19,7 @@
 #include "supple/experiment/used_keys.hpp"
 #include "supple/force/body_terms.hpp"
 #include "supple/force/polygon_shape.hpp"
+#include "supple/force/solid_terms.hpp"
 #include "supple/force/surface_shape.hpp"
 #include "supple/model/sanity.hpp"
 #include "supple/observe/body_stress.hpp"
@@ -72,6 +74,7 @@ ForceField<Dim> make_body_field(const Case& c) {
   ForceField<Dim> field =
       c.contact.kind == "smooth" ? ForceField<Dim>(Smooth(laws)) : ForceField<Dim>(RoughContacts<Dim>(laws));
   field.terms().add(std::make_shared<WholeShape>());
+  field.terms().add(std::make_shared<SolidTerms<Dim>>());
   field.terms().add(std::make_shared<BodyTermSet<Dim>>());
   return field;
 }
@@ -137,7 +140,8 @@ void check_tension(const System<Dim>& s) {
   }
 }
 
-/// k_a a0 (3D: k_v v0) of the smallest deformable particle, or the stiffness of contacts that k_c means.
+/// k_a a0 (3D: k_v v0) of the smallest deformable particle, Young's modulus of the first solid, or the
+/// stiffness of contacts that k_c means.
 template <int Dim>
 void set_pressure_unit(const Harmonic& law, Packing<Dim>& p) {
   const auto& stiffness = p.system.shape.stiffness;
@@ -150,6 +154,12 @@ void set_pressure_unit(const Harmonic& law, Packing<Dim>& p) {
     p.pressure_symbol = Dim == 2 ? "k_a a0" : "k_v v0";
   }
   if (smallest > 0) return;
+  for (int b = 0; b < p.system.solid.bodies(); ++b)
+    if (const auto constants = nominal_constants(p.system, b)) {
+      p.pressure_unit = constants->young_modulus;
+      p.pressure_symbol = "E";
+      return;
+    }
   const double sigma = 2 * *std::min_element(p.system.state.radius.begin(), p.system.state.radius.end());
   p.pressure_unit = Dim == 2 ? law.spring(sigma) : law.spring(sigma) / sigma;
   if constexpr (Dim == 2) p.pressure_symbol = law.relative ? "k_c/sigma^2" : "k_c";

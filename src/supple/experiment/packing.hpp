@@ -30,7 +30,8 @@ struct Packing {
   System<Dim> system;
   Owned<ForceField<Dim>> field;
   Outline outline = Outline::rough;
-  /// k_a a0 (3D: k_v v0) of a small particle; k_c for discs and rigid ones; 1 for packings in 3D of a file.
+  /// k_a a0 (3D: k_v v0) of a small particle; Young's modulus where all that deform are solids; k_c for discs
+  /// and rigid ones; 1 for packings in 3D of a file.
   double pressure_unit = 1;
   std::string pressure_symbol = "k_a a0";  ///< the name of that unit
   ForceTolerance tolerance;

@@ -19,11 +19,11 @@ namespace {
 using std::numbers::pi;
 
 /// Turns all vertices about the origin by a rotation drawn uniformly [Shoemake 1992].
-void turn(TriangleMesh& mesh, RandomStream& draw) {
+void turn(std::vector<Vec3>& points, RandomStream& draw) {
   const double u = draw.uniform(0, 1), a = draw.uniform(0, 2 * pi), b = draw.uniform(0, 2 * pi);
   const Vec3 v{std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b), std::sqrt(u) * std::cos(b)};
   const double w = std::sqrt(1 - u) * std::sin(a);
-  for (Vec3& x : mesh.vertex) x += 2 * cross(v, cross(v, x) + w * x);
+  for (Vec3& x : points) x += 2 * cross(v, cross(v, x) + w * x);
 }
 
 /// Pushes vertices toward and from the centre, by a hundredth at most, or a flat compressed surface would
@@ -46,8 +46,20 @@ const double unit_radius = std::cbrt(3 / (4 * pi));  // of the sphere of volume 
 
 bool is_sphere(const SurfaceKind& kind) { return kind.vertices == 1; }
 
+void add_solid_particle(const SurfaceKind& kind, int body, const Vec3& centre, std::int64_t seed,
+                        RandomStream& draw, System<3>& system) {
+  SolidMesh<3> mesh = solid_mesh<3>(*kind.solid, kind.vertices, network_seed(seed, body));
+  turn(mesh.node, draw);
+  for (Vec3& x : mesh.node) x = kind.diameter * x + centre;
+  add_solid(system, mesh, kind.diameter_ratio, *kind.solid);
+}
+
 /// The surface of volume 1.
 TriangleMesh unit_mesh(const SurfaceKind& kind) {
+  if (kind.solid) {
+    const SolidMesh<3> mesh = solid_mesh<3>(*kind.solid, kind.vertices, network_seed(1, 0));
+    return {{mesh.node.begin(), mesh.node.begin() + mesh.boundary}, mesh.facet};
+  }
   return is_sphere(kind) ? TriangleMesh{} : geodesic_icosahedron(kind.vertices);
 }
 
@@ -56,9 +68,10 @@ void add_particle(const SurfaceKind& kind, const TriangleMesh& unit, int body, c
                   std::int64_t seed, System<3>& system) {
   if (is_sphere(kind)) return add_sphere_body(system, centre, kind.diameter * unit_radius);
   RandomStream draw(static_cast<std::uint64_t>(seed), Purpose::body_angle, static_cast<std::uint64_t>(body));
+  if (kind.solid) return add_solid_particle(kind, body, centre, seed, draw, system);
   TriangleMesh mesh = unit;
   for (Vec3& x : mesh.vertex) x = kind.diameter * x;
-  turn(mesh, draw);
+  turn(mesh.vertex, draw);
   const auto first = static_cast<std::size_t>(system.state.size());
   add_surface(system, mesh, kind.diameter_ratio, kind.shape);
   const bool rigid = kind.motion == SurfaceMotion::rigid;

@@ -2,8 +2,10 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "supple/build/solid_bodies.hpp"
 #include "supple/build/surfaces.hpp"
 #include "supple/model/system.hpp"
 
@@ -15,11 +17,12 @@ enum class SurfaceMotion { deforming, rigid };
 /// Particles of one kind in 3D.
 struct SurfaceKind {
   int count = 1;
-  int vertices = 42;          ///< 12, 42, 162 ... (geodesic_icosahedron); 1: smooth spheres
+  int vertices = 42;          ///< 12, 42, 162 ... (geodesic_icosahedron); 1: smooth spheres; see solid_mesh
   double diameter = 1;        ///< of the sphere of its volume, over that of volume 1
   double diameter_ratio = 1;  ///< of vertices, over the mean edge; for smooth spheres it means nothing
   ShapeSpec shape = {};       ///< relative stiffnesses mean the same for every size
   SurfaceMotion motion = SurfaceMotion::deforming;
+  std::optional<SolidSpec> solid = {};  ///< what fills it; nothing: a surface with the energy `shape`
 };
 
 /// The radius of the sphere round each particle of these kinds, one kind after the other [length].

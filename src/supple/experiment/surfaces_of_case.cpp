@@ -45,7 +45,8 @@ std::vector<SurfaceKind> surface_kinds(const Case& c) {
   std::vector<SurfaceKind> kinds;
   for (const Species& s : species_of(c))
     kinds.push_back({s.count, is_disc(s) ? 1 : s.vertices, s.diameter, s.diameter_ratio, shape_spec(c, s),
-                     is_soft(s) ? SurfaceMotion::deforming : SurfaceMotion::rigid});
+                     is_rigid(s) ? SurfaceMotion::rigid : SurfaceMotion::deforming,
+                     is_solid(s) ? std::optional(solid_spec(s)) : std::nullopt});
   return kinds;
 }
 

@@ -20,6 +20,12 @@ bool adheres(const Case& c) {
   return c.contact.law == "adhesive" ||
          std::any_of(c.pairs.begin(), c.pairs.end(), [](const auto& pair) { return pair.law == "adhesive"; });
 }
+bool has_family(const Case& c, std::initializer_list<std::string_view> families) {
+  const std::vector<Species> all = species_of(c);
+  return std::any_of(all.begin(), all.end(), [&](const Species& s) {
+    return std::find(families.begin(), families.end(), s.family) != families.end();
+  });
+}
 bool has_central_share(const Case& c) {
   const std::string& law = c.material.elastic_law;
   return law == "divergent" || law == "plateau" || law == "expression";
@@ -62,6 +68,15 @@ const std::vector<Need>& needs() {
        "bodies.k_perimeter",
        value, [](const Case& c) { return starts_from_file(c) || has_soft(c); },
        "a family of deformable particles"},
+      {"bodies.k_s", value, [](const Case& c) { return starts_from_file(c) || has_family(c, {"network"}); },
+       "the family \"network\""},
+      {"bodies.E", value,
+       [](const Case& c) {
+         return starts_from_file(c) || has_family(c, {"network", "elastic"});
+       },
+       "the family \"elastic\" or \"network\""},
+      {"bodies.nu", value, [](const Case& c) { return starts_from_file(c) || has_family(c, {"elastic"}); },
+       "the family \"elastic\""},
       {"bodies.vertices bodies.vertex_rule bodies.diameter_ratio bodies.discs", value,
        [](const Case& c) { return starts_from_file(c) || has_polygons(c); },
        "a family of polygons or surfaces"},

@@ -167,6 +167,8 @@ void add_group(const System<2>& system, Detail detail, Group& g, Evaluation<2>& 
   for_rings(g.rings, [&](Ring& r) { add_virial(r, sum); });
 }
 
+bool is_stiff(const ShapeStiffness& k) { return k.volume != 0 || k.facet != 0 || k.hinge != 0 || k.tension != 0; }
+
 int ring_size(const System<2>& system, int b) {
   return system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];
 }
@@ -191,7 +193,7 @@ void PolygonShape::evaluate(const System<2>& system, Detail detail, Evaluation<2
     group.rings.clear();
     for (int b = part_begin[static_cast<std::size_t>(part)]; b < end; ++b) {
       const int n = ring_size(system, b);
-      if (n > 0) group.rings.emplace_back(b, n);
+      if (n > 0 && is_stiff(system.shape.stiffness[b])) group.rings.emplace_back(b, n);
       if ((sites += n) < Group::sites && b + 1 < end) continue;
       add_group(system, detail, group, out, sum);
       group.rings.clear();

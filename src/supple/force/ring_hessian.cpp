@@ -144,8 +144,8 @@ bool stiff_without_area(const ShapeStiffness& k, double rest_area, const double*
 void add_ring_hessian(const System<2>& system, int b, HessianBlocks<2>& blocks, HessianKind kind,
                       OuterProducts<2>* products) {
   const Topology<2>& t = system.topology;
-  const int first = t.begin[b], n = t.begin[b + 1] - first, facet = t.facet_begin[b];
-  if (t.facet_begin[b + 1] - facet != n) return;  // a disc
+  const int first = t.begin[b], facet = t.facet_begin[b], n = t.facet_begin[b + 1] - facet;
+  if (n == 0) return;  // a disc
   const ShapeStiffness& k = system.shape.stiffness[b];
   if (k.volume == 0 && k.facet == 0 && k.hinge == 0 && k.tension == 0) return;  // rigid
   std::vector<EdgeNumbers> edges(static_cast<std::size_t>(n));

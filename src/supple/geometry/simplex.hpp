@@ -45,12 +45,4 @@ inline Mat<3> inverse_of_edges(const SimplexEdges<double, 3>& edges) {
   return inverse;
 }
 
-/// Determinants of square matrices.
-constexpr double determinant(const Mat<2>& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
-constexpr double determinant(const Mat<3>& m) {
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
-         m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
 }  // namespace supple

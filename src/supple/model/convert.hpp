@@ -49,6 +49,8 @@ void convert(System<Dim>& system, const Units& from, const Units& to) {
   detail::convert_all(system.acceleration, from, to);
   detail::convert_all(system.shape, from, to);
   for (ShapeStiffness& stiffness : system.shape.stiffness) detail::convert_all(stiffness, from, to);
+  detail::convert_all(system.solid, from, to);
+  for (SolidStiffness& stiffness : system.solid.stiffness) detail::convert_all(stiffness, from, to);
   detail::convert_all(system.rigid, from, to);
   detail::scale(system.pairs.history, from.of(meaning_of_history.unit) / to.of(meaning_of_history.unit));
   for (Touch& touch : system.touches.rows) detail::convert_all(touch, from, to);

@@ -68,8 +68,11 @@ struct RunInfo {
       particle;  ///< of each site, 0-based: crosslinked particle of a disc, body of a vertex
   std::vector<std::int32_t> body_begin;  ///< Topology::begin; empty: microgel discs
   /// Sites of each triangle, seen counter-clockwise from outside. Empty in 2D, where an edge of a body is
-  /// from each site to the next.
+  /// from each site of its boundary to the next.
   std::vector<std::array<std::int32_t, Dim>> facet;
+  /// Sites of each body on its boundary, which come first in it. Empty: all, as no body has an inside.
+  std::vector<std::int32_t> boundary_sites;
+  std::vector<std::array<std::int32_t, 2>> bond;  ///< sites of each spring inside a body
 };
 
 /// Bodies and triangles of a run in 3D, without hinges.

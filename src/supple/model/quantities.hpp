@@ -62,8 +62,7 @@ inline constexpr auto quantities<Topology<Dim>> = std::tuple{
     Quantity{"facet_begin", &Topology<Dim>::facet_begin, unit::none, "facets of body b, likewise"},
     Quantity{"hinge_begin", &Topology<Dim>::hinge_begin, unit::none, "hinges of body b, likewise"},
     Quantity{"facet", &Topology<Dim>::facet, unit::none, "sites of each edge or triangle"},
-    Quantity{"hinge", &Topology<Dim>::hinge, unit::none, "sites of each corner, or of two triangles"},
-    Quantity{"bond", &Topology<Dim>::bond, unit::none, "sites of each bond"}};
+    Quantity{"hinge", &Topology<Dim>::hinge, unit::none, "sites of each corner, or of two triangles"}};
 
 /// Columns of the array `stiffness` of Shape.
 template <>
@@ -78,6 +77,24 @@ inline constexpr auto quantities<Shape> =
     std::tuple{Quantity{"rest_volume", &Shape::rest_volume, unit::area, "preferred area of each body"},
                Quantity{"rest_facet", &Shape::rest_facet, unit::length, "preferred length of each edge"},
                Quantity{"rest_hinge", &Shape::rest_hinge, unit::angle, "preferred angle of each corner"}};
+
+/// Columns of the array `stiffness` of Solid.
+template <>
+inline constexpr auto quantities<SolidStiffness> =
+    std::tuple{Quantity{"bond", &SolidStiffness::bond, unit::stiffness, "k of (k/2)(r - r0)^2"},
+               Quantity{"lambda", &SolidStiffness::lambda, unit::stress, "of the strain energy (9.15)"},
+               Quantity{"mu", &SolidStiffness::mu, unit::stress, "of the strain energy (9.15)"}};
+
+template <int Dim>
+inline constexpr auto quantities<Solid<Dim>> = std::tuple{
+    Quantity{"bond_begin", &Solid<Dim>::bond_begin, unit::none,
+             "bonds [bond_begin[b], bond_begin[b + 1]) are of body b"},
+    Quantity{"element_begin", &Solid<Dim>::element_begin, unit::none, "elements of body b, likewise"},
+    Quantity{"bond", &Solid<Dim>::bond, unit::none, "sites of each bond"},
+    Quantity{"element", &Solid<Dim>::element, unit::none, "sites of each triangle (3D: tetrahedron)"},
+    Quantity{"rest_bond", &Solid<Dim>::rest_bond, unit::length, "length of each bond without force"},
+    Quantity{"rest_element", &Solid<Dim>::rest_element, unit::per_length,
+             "inverse of the matrix of edges from the last site of each element, without stress"}};
 
 template <int Dim>
 inline constexpr auto quantities<RigidBodiesOf<Dim>> = std::tuple{
@@ -212,6 +229,7 @@ inline constexpr NamedNumber meaning_of_history{"history", unit::length,
     meaning_of_images{"image", unit::none,
                       "1: the row keeps its image, 0: the nearest; cells to subtract from second - first"},
     meaning_of_stiffness{"stiffness", unit::none, "of the shape energy of each body, columns as named"},
+    meaning_of_inside{"stiffness", unit::none, "of the inside of each body, columns as named"},
     meaning_of_species{"species", unit::none, "of each body, from 0, as the case has them"},
     meaning_of_floor{"floor_contact", unit::length, "where a site sticks to the floor; nan: nowhere"},
     first_contact{"contact_begin", unit::none, "row of the first contact of the frame"},

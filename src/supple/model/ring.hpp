@@ -6,7 +6,7 @@
 
 namespace supple {
 
-/// Neighbours of a vertex on its ring: the sites [begin, end) of a body.
+/// Neighbours of a vertex on its ring: the sites [begin, end), the boundary of a body.
 struct Ring {
   std::int32_t begin, end;
   std::int32_t after(std::int32_t k) const { return k + 1 < end ? k + 1 : begin; }
@@ -17,7 +17,7 @@ struct Ring {
 
 /// The ring of a body.
 inline Ring ring_of(const Topology<2>& topology, std::int32_t body) {
-  return {topology.body_begin(body), topology.body_end(body)};
+  return {topology.body_begin(body), topology.body_begin(body) + topology.boundary_size(body)};
 }
 
 }  // namespace supple

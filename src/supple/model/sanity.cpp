@@ -112,6 +112,14 @@ class Judge {
     positive_sizes(shape.rest_facet,
                    Dim == 2 ? "the preferred length of edge" : "the preferred area of triangle");
     sizes(shape.rest_hinge, Dim == 2 ? "the preferred angle of corner" : "the preferred angle of edge");
+    for (std::size_t b = 0; b < system_.solid.stiffness.size(); ++b) {
+      const SolidStiffness& k = system_.solid.stiffness[b];
+      for (const double x : {k.bond, k.lambda, k.mu})
+        if (!is_computable(x)) size(x, fmt::format("a stiffness of solid {}", b));
+    }
+    positive_sizes(system_.solid.rest_bond, "the preferred length of bond");
+    for (const Mat<Dim>& inverse : system_.solid.rest_element)
+      positive_size(determinant(inverse), "the preferred size of an element");
     for (const BodyTermData& term : system_.terms)
       sizes(term.number, fmt::format("the {} of particles, number", term.name).c_str());
     const RigidBodiesOf<Dim>& r = system_.rigid;

@@ -8,6 +8,7 @@
 #include "supple/model/pair_table.hpp"
 #include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
+#include "supple/model/solid.hpp"
 #include "supple/model/state.hpp"
 #include "supple/model/topology.hpp"
 #include "supple/model/touch_table.hpp"
@@ -32,6 +33,7 @@ struct System {
   State<Dim> state;
   Topology<Dim> topology;
   Shape shape;
+  Solid<Dim> solid;                 ///< empty: no body has an inside
   std::vector<BodyTermData> terms;  ///< what else acts on whole bodies
   /// Of each body, its place among the species of its sample, on which the laws of its contacts depend.
   /// Bodies beyond the end are of the first.

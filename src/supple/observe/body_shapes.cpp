@@ -62,8 +62,9 @@ template <int Dim>
 BoundsOf<Dim> lay_out(const System<Dim>& system, int body, std::vector<Vec<Dim>>& site,
                       std::vector<double>& radius) {
   const State<Dim>& state = system.state;
-  const int first = system.topology.body_begin(body), last = system.topology.body_end(body);
-  if (last <= first) refuse(body, "it has no site", "leave it out");
+  const int first = system.topology.body_begin(body);
+  if (system.topology.body_size(body) < 1) refuse(body, "it has no site", "leave it out");
+  const int last = first + system.topology.boundary_size(body);
   site.assign(state.position.begin() + first, state.position.begin() + last);
   radius.assign(state.radius.begin() + first, state.radius.begin() + last);
   const BoundsOf<Dim> bounds = bounds_with_discs(site, radius);

@@ -161,6 +161,10 @@ ConstraintCount count_constraints(const System<Dim>& system, const std::vector<S
     for (std::int32_t i = system.topology.body_begin(b); i < system.topology.body_end(b); ++i)
       out.freedoms += system.state.mobility[i] == Mobility::free ? Dim : 0;
     if (n < 3 || system.shape.empty()) continue;
+    if (system.solid.fills(b)) {
+      out.shape += Dim == 2 ? 2 * n - 3 : 3 * n - 6;
+      continue;
+    }
     const ShapeStiffness& k = system.shape.stiffness[b];
     const int facets = system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];
     const int deformations = Dim == 2 ? 2 * n - 3 : 3 * n - 6,

@@ -23,7 +23,7 @@ struct BodyMeasures {
 /// By triangles from the first vertex.
 BodyMeasures<2> measure_many(const System<2>& system, int b) {
   const std::span<const Vec2> ring{&system.state.position[system.topology.body_begin(b)],
-                                   static_cast<std::size_t>(system.topology.body_size(b))};
+                                   static_cast<std::size_t>(system.topology.boundary_size(b))};
   BodyMeasures<2> m;
   m.volume = polygon_area(ring);
   Vec2 before = ring.back() - ring[0];

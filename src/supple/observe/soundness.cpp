@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "supple/geometry/simplex.hpp"
 #include "supple/observe/polygon_look.hpp"
 #include "supple/observe/surface_look.hpp"
 
@@ -39,6 +40,26 @@ double narrowest_vertex(const State<Dim>& state) {
 }
 
 template <int Dim>
+bool has_inverted_element(const System<Dim>& system, int b) {
+  const Solid<Dim>& solid = system.solid;
+  for (std::int32_t k = solid.element_begin[b]; k < solid.element_begin[b + 1]; ++k) {
+    Vec<Dim> corner[Dim + 1];
+    for (int a = 0; a <= Dim; ++a) corner[a] = system.state.position[solid.element[k][a]];
+    if (!(simplex_volume(corner) > 0)) return true;
+  }
+  return false;
+}
+
+template <int Dim>
+void find_inverted(const System<Dim>& system, Soundness& out) {
+  for (int b = 0; b < system.solid.bodies(); ++b)
+    if (has_inverted_element(system, b)) {
+      ++out.inverted;
+      out.unsound[b] = 1;
+    }
+}
+
+template <int Dim>
 Soundness look_at_all(const System<Dim>& system, Outline outline) {
   Soundness wrong = find_not_finite(system);
   if (wrong.not_finite > 0) return wrong;
@@ -53,7 +74,9 @@ Soundness look_at_all(const System<Dim>& system, Outline outline) {
     for (const ImageOf<Dim>& image : near)
       if (image.body >= b) look.together(b, image);
   }
-  return look.result();
+  Soundness found = look.result();
+  find_inverted(system, found);
+  return found;
 }
 
 }  // namespace
@@ -72,6 +95,7 @@ std::string Soundness::what() const {
   say(not_finite, "has a position that is no number", "have positions that are no numbers");
   say(turned_over, "has turned inside out", "have turned inside out");
   say(self_crossing, "crosses itself", "cross themselves");
+  say(inverted, "has folded over inside", "have folded over inside");
   say(inside, "is inside another one, or a vertex of it is",
       "are inside another one, or vertices of them are");
   say(crossing, "crosses another one", "cross another one");
@@ -94,11 +118,14 @@ Soundness look_at_each(const System<2>& system, Outline outline) {
   BodyShape shape;
   for (int b = 0; b < static_cast<int>(wrong.unsound.size()); ++b) {
     if (t.body_size(b) == 1) continue;
-    shape.ring.assign(state.position.begin() + t.body_begin(b), state.position.begin() + t.body_end(b));
-    shape.radius.assign(state.radius.begin() + t.body_begin(b), state.radius.begin() + t.body_end(b));
+    const int begin = t.body_begin(b), end = begin + t.boundary_size(b);
+    shape.ring.assign(state.position.begin() + begin, state.position.begin() + end);
+    shape.radius.assign(state.radius.begin() + begin, state.radius.begin() + end);
     look.alone(b, shape, narrowest);
   }
-  return look.result();
+  Soundness found = look.result();
+  find_inverted(system, found);
+  return found;
 }
 
 Soundness look_at_each(const System<3>& system, Outline outline) {
@@ -108,7 +135,9 @@ Soundness look_at_each(const System<3>& system, Outline outline) {
   const double narrowest = narrowest_vertex(system.state);
   SurfaceLook look(shapes.size(), shapes, outline);
   for (int b = 0; b < static_cast<int>(shapes.size()); ++b) look.alone(b, shapes[b], narrowest);
-  return look.result();
+  Soundness found = look.result();
+  find_inverted(system, found);
+  return found;
 }
 
 }  // namespace supple

@@ -13,6 +13,7 @@ namespace supple {
 struct Soundness {
   int turned_over = 0;    ///< bodies whose boundary is inside out, or encloses nothing
   int self_crossing = 0;  ///< bodies whose boundary crosses itself
+  int inverted = 0;  ///< solids with a triangle (3D: tetrahedron) turned inside out, which costs no energy
   int inside = 0;    ///< bodies with a site inside another one, and discs or spheres that lie in a larger one
   int crossing = 0;  ///< bodies whose boundary crosses that of another one
   /// Rough: bodies with an edge (2D) so long, a triangle (3D) so large that the smallest vertex passes

@@ -35,7 +35,27 @@ double stiffness_of_shape(const ShapeStiffness& k, double rest) {
   return 1.5 * k.facet * square + 24 * k.hinge / square + 4 * k.tension;
 }
 
-/// Stiffness of the stiffest vertex [energy/length^2]: by its shape, or a contact.
+/// Stiffness of a site by its bonds and elements [energy/length^2], roughly: by the trace of the second
+/// derivatives of a bond along it and of an element at small strain.
+template <int Dim>
+double stiffness_inside(const Solid<Dim>& solid) {
+  double most = 0;
+  for (int b = 0; b < solid.bodies(); ++b) {
+    const SolidStiffness& k = solid.stiffness[b];
+    if (solid.bond_begin[b] < solid.bond_begin[b + 1]) most = std::max(most, 2.0 * Dim * k.bond);
+    for (std::int32_t e = solid.element_begin[b]; e < solid.element_begin[b + 1]; ++e) {
+      const Mat<Dim>& inverse = solid.rest_element[e];
+      double square = 0;  // of the slopes of the deformation by the sites
+      for (int a = 0; a < Dim; ++a)
+        for (int d = 0; d < Dim; ++d) square = std::max(square, inverse[a][d] * inverse[a][d]);
+      const double volume = 1 / ((Dim == 2 ? 2 : 6) * determinant(inverse));
+      most = std::max(most, volume * square * (k.lambda + 2 * k.mu));
+    }
+  }
+  return most;
+}
+
+/// Stiffness of the stiffest vertex [energy/length^2]: by its shape, what is inside, or a contact.
 template <int Dim>
 double vertex_stiffness(const System<Dim>& system, BodyContacts<Dim>* contacts) {
   double most = 0;
@@ -47,6 +67,7 @@ double vertex_stiffness(const System<Dim>& system, BodyContacts<Dim>* contacts) 
         *std::min_element(&system.shape.rest_facet[first], &system.shape.rest_facet[first] + (end - first));
     most = std::max(most, stiffness_of_shape<Dim>(k, rest));
   }
+  most = std::max(most, stiffness_inside(system.solid));
   if (contacts && !system.state.radius.empty())
     most = std::max(most, contacts->laws().most([sigma = 2 * *std::min_element(system.state.radius.begin(),
                                                                                system.state.radius.end())](

@@ -126,6 +126,7 @@ class SnapshotPage {
     const auto shade = [&](Color c) { return mix(c, white, whiteness); };
     for (const DrawnBody& image : bodies_)
       if (image.lies != skipped) fill(image, whiteness);
+    draw_bonds(whiteness, skipped);
     for (const DrawnBody& image : bodies_) {
       if (image.lies == skipped) continue;
       for (const std::vector<Vec2>& piece : shapes_[image.body].edge)
@@ -156,6 +157,23 @@ class SnapshotPage {
     for (std::size_t k = 0; k < ring.size(); ++k)
       canvas_.circle(ring[k], radius[k] * page_.scale(), {color, {}});
     canvas_.polygon(ring, {{}, seam});
+  }
+
+  /// The springs inside bodies, thinly.
+  void draw_bonds(double whiteness, Lies skipped) {
+    if (scene_.bond.empty()) return;
+    std::vector<std::vector<std::size_t>> of_body(static_cast<std::size_t>(scene_.bodies()));
+    for (std::size_t k = 0; k < scene_.bond.size(); ++k)
+      of_body[static_cast<std::size_t>(body_of_site_[scene_.bond[k][0]])].push_back(k);
+    for (const DrawnBody& image : bodies_) {
+      if (image.lies == skipped) continue;
+      const Pen pen{mix(mix(color_[image.body], black, 0.35), white, whiteness), 0.4 * outline_};
+      for (const std::size_t k : of_body[static_cast<std::size_t>(image.body)]) {
+        const auto [i, j] = scene_.bond[k];
+        canvas_.line(page_.on_page(scene_.position[i] + image.shift), page_.on_page(scene_.position[j] + image.shift),
+                     pen);
+      }
+    }
   }
 
   /// Lines x + y = const in an outline, the same in all bodies.

@@ -24,7 +24,7 @@ struct SceneArray {
 
 /// Sites [begin[b], begin[b+1]) form body b, as in Topology. One site is a disc or sphere. In 2D, three or
 /// more are the vertices of a polygon, anticlockwise; in 3D, they are the vertices of a closed surface, of
-/// which `facet` holds the triangles. Each body is one connected copy that may stick out of the cell.
+/// which `facet` holds the triangles. In a solid those inside follow. Each body is one connected copy that may stick out of the cell.
 template <int Dim>
 struct BodyScene {
   Units units = reduced_units();
@@ -35,6 +35,8 @@ struct BodyScene {
   std::vector<double> radius;       ///< of each site: of the disc, or half the diameter of a vertex [length]
   /// Sites of each triangle, counter-clockwise as seen from outside. Empty in 2D.
   std::vector<std::array<std::int32_t, Dim>> facet = {};
+  std::vector<std::int32_t> boundary_sites = {};  ///< of each body, its first ones; empty: all
+  std::vector<std::array<std::int32_t, 2>> bond = {};  ///< sites of each spring inside a body
   std::vector<SceneArray> of_sites = {}, of_bodies = {};
   std::map<std::string, double> numbers = {};  ///< of all: "pressure", ...
 
@@ -46,17 +48,22 @@ struct BodyScene {
   std::pair<std::int32_t, std::int32_t> body(std::int32_t b) const {
     return begin.empty() ? std::pair(b, b + 1) : std::pair(begin[b], begin[b + 1]);
   }
-  std::span<const Vec<Dim>> positions_of(std::int32_t b) const { return of_body(position, b); }
-  std::span<const double> radii_of(std::int32_t b) const { return of_body(radius, b); }
-  /// Mean of the sites of body b [length].
+  /// The same of the sites on its boundary: the vertices of the polygon or surface.
+  std::pair<std::int32_t, std::int32_t> boundary_of(std::int32_t b) const {
+    const auto [first, last] = body(b);
+    return {first, boundary_sites.empty() ? last : first + boundary_sites[b]};
+  }
+  std::span<const Vec<Dim>> positions_of(std::int32_t b) const { return of_boundary(position, b); }
+  std::span<const double> radii_of(std::int32_t b) const { return of_boundary(radius, b); }
+  /// Mean of the sites on the boundary of body b [length].
   Vec<Dim> centre_of(std::int32_t b) const;
   /// Whether body b is one site: a disc or a sphere.
   bool is_disc(std::int32_t b) const { return body(b).second - body(b).first == 1; }
 
  protected:
   template <class T>
-  std::span<const T> of_body(const std::vector<T>& values, std::int32_t b) const {
-    const auto [first, last] = body(b);
+  std::span<const T> of_boundary(const std::vector<T>& values, std::int32_t b) const {
+    const auto [first, last] = boundary_of(b);
     return {values.begin() + first, values.begin() + last};
   }
 };

@@ -44,6 +44,8 @@ BodyScene<Dim> body_scene_of(const RunInfo<Dim>& info, const Frame<Dim>& frame) 
   scene.position = frame.position;
   scene.radius = info.radius;
   scene.facet = info.facet;
+  scene.boundary_sites = info.boundary_sites;
+  scene.bond = info.bond;
   const auto add = [&](const char* name, const auto& values, bool about_normal = false) {
     if (!values.empty()) scene.of_sites.push_back({name, values, about_normal});
   };

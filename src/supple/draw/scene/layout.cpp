@@ -8,7 +8,7 @@ namespace {
 
 /// The next site of the ring of site i.
 std::int32_t next_of(const Scene& scene, const std::vector<std::int32_t>& body, std::int32_t i) {
-  const auto [first, last] = scene.body(body[i]);
+  const auto [first, last] = scene.boundary_of(body[i]);
   return i + 1 < last ? i + 1 : first;
 }
 

@@ -58,7 +58,7 @@ VtkCells<2> vtk_cells(const BodyScene<2>& scene, const std::vector<Vec2>& shift,
   VtkCells<2> out;
   PolygonWriter polygon(out);
   for (std::int32_t b = 0; b < scene.bodies(); ++b) {
-    const auto [first, last] = scene.body(b);
+    const auto [first, last] = scene.boundary_of(b);
     std::vector<Vec2> ring;
     std::vector<double> radius;
     for (std::int32_t i = first; i < last; ++i) {

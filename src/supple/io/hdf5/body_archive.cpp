@@ -32,8 +32,34 @@ bool are_own(const Topology<Dim>& t, const std::vector<std::int32_t>& begin, con
   return true;
 }
 
-constexpr std::uint64_t stiffness_columns = std::tuple_size_v<decltype(quantities<ShapeStiffness>)>;
-static_assert(sizeof(ShapeStiffness) == stiffness_columns * sizeof(double));
+/// Writes the stiffnesses of all bodies as a table with a column for each quantity of Stiffness.
+template <class Stiffness>
+void write_stiffness(h5::Group& group, const NamedNumber& meaning, const std::vector<Stiffness>& all,
+                     const Units& units) {
+  std::vector<double> numbers;
+  std::vector<std::string> columns;
+  for_each_quantity(static_cast<const Stiffness&>(Stiffness{}),
+                    [&](const auto& q, double) { columns.push_back(q.name); });
+  for (const Stiffness& k : all)
+    for_each_quantity(k, [&](const auto&, double value) { numbers.push_back(value); });
+  h5::Object made = group.write(meaning.name, numbers, {all.size(), columns.size()});
+  describe(made, meaning, units);
+  made.set("columns", columns);
+}
+
+/// Reads such a table; it has `bodies` rows.
+template <class Stiffness>
+std::vector<Stiffness> read_stiffness(const h5::Group& group, const NamedNumber& meaning,
+                                      std::size_t bodies) {
+  constexpr std::size_t columns = std::tuple_size_v<decltype(quantities<Stiffness>)>;
+  const auto numbers = group.read<double>(meaning.name);
+  expect_sound(numbers.size() == columns * bodies, group, "stiffnesses and bodies differ in number");
+  std::vector<Stiffness> all(bodies);
+  std::size_t k = 0;
+  for (Stiffness& stiffness : all)
+    for_each_quantity(stiffness, [&](const auto&, double& value) { value = numbers[k++]; });
+  return all;
+}
 
 }  // namespace
 
@@ -45,12 +71,11 @@ void write_topology(h5::Group group, const Topology<Dim>& t, const Units& units)
 template <int Dim>
 Topology<Dim> read_topology(const h5::Group& group, int sites) {
   Topology<Dim> t;
-  for (const char* name : {"begin", "facet", "hinge", "bond"})
+  for (const char* name : {"begin", "facet", "hinge"})
     expect_sound(group.has(name), group, std::string(name) + " is missing");
   read_all(group, t, Missing::left);
   expect_sites(t.facet, sites, group, "facet");
   expect_sites(t.hinge, sites, group, "hinge");
-  expect_sites(t.bond, sites, group, "bond");
   const bool has_empty_body = std::adjacent_find(t.begin.begin(), t.begin.end()) != t.begin.end();
   expect_sound(is_ranges(t.begin, static_cast<std::size_t>(sites)) && !has_empty_body, group,
                "its bodies do not cover the sites");
@@ -64,19 +89,14 @@ Topology<Dim> read_topology(const h5::Group& group, int sites) {
 }
 
 void write_shape(h5::Group group, const Shape& shape, const Units& units) {
-  std::vector<double> stiffness;
-  std::vector<std::string> columns, column_units;
-  for_each_quantity(static_cast<const ShapeStiffness&>(ShapeStiffness{}), [&](const auto& q, double) {
-    columns.push_back(q.name);
-    column_units.push_back(unit_text(units, q.unit));
-  });
-  for (const ShapeStiffness& k : shape.stiffness)
-    for_each_quantity(k, [&](const auto&, double value) { stiffness.push_back(value); });
-  h5::Object made =
-      group.write(meaning_of_stiffness.name, stiffness, {shape.stiffness.size(), stiffness_columns});
-  describe(made, meaning_of_stiffness, units);
-  made.set("columns", columns);
+  write_stiffness(group, meaning_of_stiffness, shape.stiffness, units);
   write_all(group, shape, units);
+}
+
+template <int Dim>
+void write_solid(h5::Group group, const Solid<Dim>& solid, const Units& units) {
+  write_stiffness(group, meaning_of_inside, solid.stiffness, units);
+  write_all(group, solid, units);
 }
 
 void write_body_terms(h5::Group group, const std::vector<BodyTermData>& terms) {
@@ -107,17 +127,35 @@ std::vector<std::int32_t> read_species(const h5::Group& group, int bodies) {
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   Shape shape;
-  const auto k = group.read<double>(meaning_of_stiffness.name);
   read_all(group, shape);
   const std::size_t bodies = t.facet_begin.empty() ? 0 : t.facet_begin.size() - 1;
   expect_sound(bodies > 0 && t.hinge_begin.size() == bodies + 1, group,
                "it is the shape of bodies that have no boundary");
-  expect_sound(k.size() == stiffness_columns * bodies && shape.rest_volume.size() == bodies &&
+  shape.stiffness = read_stiffness<ShapeStiffness>(group, meaning_of_stiffness, bodies);
+  expect_sound(shape.rest_volume.size() == bodies &&
                    shape.rest_facet.size() == t.facet.size() && shape.rest_hinge.size() == t.hinge.size(),
                group, "preferred shapes and bodies disagree");
-  for (std::size_t b = 0; b < bodies; ++b)
-    shape.stiffness.push_back({k[4 * b], k[4 * b + 1], k[4 * b + 2], k[4 * b + 3]});
   return shape;
+}
+
+template <int Dim>
+Solid<Dim> read_solid(const h5::Group& group, const Topology<Dim>& t) {
+  Solid<Dim> solid;
+  read_all(group, solid);
+  const std::size_t bodies = solid.bond_begin.empty() ? 0 : solid.bond_begin.size() - 1;
+  expect_sound(bodies > 0 && bodies < t.begin.size() && solid.element_begin.size() == bodies + 1, group,
+               "its bodies differ in number");
+  expect_sound(is_ranges(solid.bond_begin, solid.bond.size()) && are_own(t, solid.bond_begin, solid.bond) &&
+                   solid.rest_bond.size() == solid.bond.size(),
+               group, "bonds and bodies disagree");
+  expect_sound(is_ranges(solid.element_begin, solid.element.size()) &&
+                   are_own(t, solid.element_begin, solid.element) &&
+                   solid.rest_element.size() == solid.element.size(),
+               group, "elements and bodies disagree");
+  for (const Mat<Dim>& inverse : solid.rest_element)
+    expect_sound(determinant(inverse) > 0, group, "an element has no area or volume");
+  solid.stiffness = read_stiffness<SolidStiffness>(group, meaning_of_inside, bodies);
+  return solid;
 }
 
 template <int Dim>
@@ -165,6 +203,8 @@ RigidBodiesOf<Dim> read_rigid_bodies(const h5::Group& group, const Topology<Dim>
   template void write_topology(h5::Group, const Topology<Dim>&, const Units&);          \
   template Topology<Dim> read_topology(const h5::Group&, int);                          \
   template Shape read_shape(const h5::Group&, const Topology<Dim>&);                    \
+  template void write_solid(h5::Group, const Solid<Dim>&, const Units&);                \
+  template Solid<Dim> read_solid(const h5::Group&, const Topology<Dim>&);               \
   template void write_rigid_bodies(h5::Group, const RigidBodiesOf<Dim>&, const Units&); \
   template RigidBodiesOf<Dim> read_rigid_bodies(const h5::Group&, const Topology<Dim>&);
 SUPPLE_ARCHIVED(2)

@@ -7,6 +7,7 @@
 #include "supple/model/body_terms.hpp"
 #include "supple/model/rigid_bodies.hpp"
 #include "supple/model/shape.hpp"
+#include "supple/model/solid.hpp"
 #include "supple/model/topology.hpp"
 #include "supple/model/units.hpp"
 
@@ -27,6 +28,12 @@ std::vector<std::int32_t> read_species(const h5::Group& group, int bodies);
 /// Throws a file error where the preferred shapes do not fit the bodies.
 template <int Dim>
 Shape read_shape(const h5::Group& group, const Topology<Dim>& topology);
+
+template <int Dim>
+void write_solid(h5::Group group, const Solid<Dim>& solid, const Units& units);
+/// Throws a file error where bonds and elements do not fit the bodies.
+template <int Dim>
+Solid<Dim> read_solid(const h5::Group& group, const Topology<Dim>& topology);
 
 template <int Dim>
 void write_rigid_bodies(h5::Group group, const RigidBodiesOf<Dim>& rigid, const Units& units);

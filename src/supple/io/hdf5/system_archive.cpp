@@ -19,6 +19,7 @@ void write_system(h5::Group& group, const System<Dim>& system, const Units& unit
   }
   write_topology(group.create_group("topology"), system.topology, units);
   if (!system.shape.empty()) write_shape(group.create_group("shape"), system.shape, units);
+  if (!system.solid.empty()) write_solid(group.create_group("solid"), system.solid, units);
   if (!system.terms.empty()) write_body_terms(group.create_group("terms"), system.terms);
   if (!system.species.empty()) write(group, meaning_of_species, system.species, units);
   if (!system.rigid.empty()) write_rigid_bodies(group.create_group("rigid"), system.rigid, units);
@@ -43,6 +44,7 @@ System<Dim> read_system(const h5::Group& group) {
 
   system.topology = read_topology<Dim>(group.open_group("topology"), sites);
   if (group.has("shape")) system.shape = read_shape(group.open_group("shape"), system.topology);
+  if (group.has("solid")) system.solid = read_solid(group.open_group("solid"), system.topology);
   if (group.has("rigid")) system.rigid = read_rigid_bodies(group.open_group("rigid"), system.topology);
   if (group.has("acceleration")) {
     read_all(group.open_group("acceleration"), system.acceleration);

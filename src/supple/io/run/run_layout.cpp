@@ -91,6 +91,11 @@ void write_header(h5::Group& root, const Case& resolved, const std::string& case
   if (!info.facet.empty())
     discs.write("facet", flat(info.facet), {info.facet.size(), Dim})
         .set("meaning", "sites of each triangle, seen counter-clockwise from outside");
+  if (!info.boundary_sites.empty())
+    discs.write("boundary_sites", info.boundary_sites)
+        .set("meaning", "sites on the boundary of each body, the first of its sites");
+  if (!info.bond.empty())
+    discs.write("bond", flat(info.bond), {info.bond.size(), 2}).set("meaning", "sites of each spring inside");
 }
 
 void store_case(h5::Group& root, const Case& resolved, const std::string& case_text) {
@@ -118,6 +123,24 @@ void read_facets(const h5::Group& discs, RunInfo<3>& info) {
   const auto body = [&](const auto& triangle) { return info.particle[triangle[0]]; };
   expect_sound(std::ranges::is_sorted(info.facet, {}, body), discs,
                "its triangles are not in order of bodies");
+}
+
+/// The inside of solids, if there are any.
+template <int Dim>
+void read_inside(const h5::Group& discs, RunInfo<Dim>& info) {
+  const std::vector<std::int32_t>& begin = info.body_begin;
+  if (discs.has("boundary_sites")) {
+    info.boundary_sites = discs.read<std::int32_t>("boundary_sites");
+    bool fits = info.boundary_sites.size() + 1 == begin.size();
+    for (std::size_t b = 0; fits && b + 1 < begin.size(); ++b)
+      fits = 0 < info.boundary_sites[b] && info.boundary_sites[b] <= begin[b + 1] - begin[b];
+    expect_sound(fits, discs, "boundaries and bodies disagree");
+  }
+  if (discs.has("bond")) read(discs, "bond", info.bond);
+  const auto sites = static_cast<std::int64_t>(info.particle.size());
+  for (const auto& [i, j] : info.bond)
+    expect_sound(0 <= i && i < sites && 0 <= j && j < sites && info.particle[i] == info.particle[j], discs,
+                 "a spring between sites that are not those of one body");
 }
 
 }  // namespace
@@ -148,6 +171,7 @@ RunInfo<Dim> read_info(const h5::Group& root) {
                     std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<>()) == begin.end()),
                discs, "its bodies do not cover the sites");
   if constexpr (Dim == 3) read_facets(discs, info);
+  read_inside(discs, info);
   return info;
 }
 
