@@ -149,6 +149,10 @@ const Named cases[] = {
          loose},
     {"compression_in_3d", "experiment = \"compression\"\n[bodies]\ndim = 3\nN = 16\nfamily = \"sphere\"\n" +
                               loose + "[compression]\nhighest_pressure = 1e-2\nper_decade = 2\n"},
+    {"jam_of_solids",
+     "experiment = \"jamming\"\n[[species]]\nfamily = \"network\"\nN = 4\nvertices = 30\n[[species]]\nfamily "
+     "= \"elastic\"\nN = 4\nvertices = 10\n" +
+         loose},
     {"uniaxial_compression",
      "experiment = \"uniaxial_compression\"\n[bodies]\nN = 6\nvertices = "
      "8\n[uniaxial]\nstrain = 0.1\nstep = 0.01\npressure = 1e-3\n"},
