@@ -87,7 +87,7 @@ TEST(Solids, JamIn3D) {
   for (const std::string family :
        {"family = \"network\"\nvertices = 60\n", "family = \"elastic\"\nvertices = 42\n"}) {
     const Case c = read("experiment = \"jamming\"\n[bodies]\ndim = 3\nN = 4\n" + family +
-                        "[jamming]\npacking_fraction = 0.2\nstep = 0.02\npressure = 1e-3\n");
+                        "[jamming]\npacking_fraction = 0.05\nstep = 0.02\npressure = 1e-3\n");
     MemoryRecorderOf<3> recorder;
     run(c, nullptr, recorder);
     EXPECT_GT(recorder.get("results", "pressure"), 1e-3);

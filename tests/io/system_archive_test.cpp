@@ -273,7 +273,7 @@ TEST_F(SystemArchive, DamageIsRefused) {
               }),
               HasSubstr("perimeter and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }),
-              HasSubstr("shapes and bodies disagree"));
+              HasSubstr("stiffnesses and bodies differ in number"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge_begin.clear(); }), HasSubstr("no boundary"));
   EXPECT_THAT(error_after([](S& s) { s.floor_contact = {1}; }), HasSubstr("differ in length"));
 }

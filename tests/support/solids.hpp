@@ -42,7 +42,7 @@ inline System<2> solids_among_others(double jitter = 0.02) {
 /// A ball of springs, a surface, a ball of elements.
 inline System<3> solids_among_others_in_3d(double jitter = 0.02) {
   System<3> system;
-  system.box.length = {3.2, 3.1, 3.0};
+  system.box.length = {4.2, 4.1, 4.0};
   system.box.strain = 0.1;
   const SolidSpec network{Filling::network, 0.7, {}}, elements{Filling::elements, 0, {2, 0.3}};
   add_solid(system, placed<3>(solid_mesh<3>(network, 60, 3), 1.1, {0.8, 0.8, 0.8}), 1, network);
