@@ -16,7 +16,8 @@ const std::vector<Experiment>& experiments() {
                                            jamming(),
                                            compression(),
                                            uniaxial_compression(),
-                                           slump()};
+                                           slump(),
+                                           friction()};
   return all;
 }
 

@@ -159,6 +159,13 @@ const Named cases[] = {
     {"slump",
      "experiment = \"slump\"\n[bodies]\nN = 6\nvertices = 8\n[slump]\nsettle_time = 15\nspread_time "
      "= 12\n"},
+    {"friction",
+     "experiment = \"friction\"\n[bodies]\nfamily = \"floppy\"\nvertices = 8\nA0 = 1.15\n[sliding]\noverlap "
+     "= "
+     "1.5\nstep = 0.05\npath = \"cyclic\"\nnoise = 0.1\n[output]\nframes = 6\n"},
+    {"friction_by_damped_motion",
+     "experiment = \"friction\"\n[bodies]\nvertices = 8\n[sliding]\nfrom = -0.03\nto = 0.05\nrelaxation = "
+     "\"dynamics\"\nrest = 1e-12\n[output]\nframes = 3\n"},
 };
 
 /// Calls `test` with Dim, as Dimensions<Dim>.

@@ -149,8 +149,20 @@ struct Slump {
   double settle_time = 150, spread_time = 500, rest = 1e-8;  ///< times in sqrt(1/gravity)
 };
 
+/// Two particles, one of which slides over the other.
+struct Sliding {
+  double overlap = 0.05, centre_distance = 0;  ///< centre_distance [R]; 0: from overlap [sigma]
+  double from = 0, to = 0, step = 0.016;       ///< [D]; from = to = 0: from before to after all contacts
+  std::string path = "forward", relaxation = "minimise";
+  int cycles = 1;
+  double noise = 0, tether_stiffness = 100;  ///< [sigma], [k_c]
+  double least_force = 1e-6;                 ///< [k_c sigma]
+  double rest = 1e-20;                       ///< [k_c sigma^2]
+  std::int64_t most_steps = 2'000'000;
+};
+
 struct Motion {
-  double damping = 0, kinetic_energy = 0;  ///< damping of `slump`: see resolve_family
+  double damping = 0, kinetic_energy = 0;  ///< damping of `slump` and `friction`: see their rows
 };
 
 struct Output {
@@ -187,6 +199,7 @@ struct Case {
   Compression compression;
   Uniaxial uniaxial;
   Slump slump;
+  Sliding sliding;
   Motion motion;
   Initial initial;
   Output output;
@@ -230,6 +243,8 @@ template <>
 const Fields<Uniaxial>& fields();
 template <>
 const Fields<Slump>& fields();
+template <>
+const Fields<Sliding>& fields();
 template <>
 const Fields<Motion>& fields();
 template <>
@@ -275,6 +290,7 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("compression", c.compression);
   visit("uniaxial", c.uniaxial);
   visit("slump", c.slump);
+  visit("sliding", c.sliding);
   visit("motion", c.motion);
   visit("initial", c.initial);
   visit("output", c.output);
