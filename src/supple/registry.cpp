@@ -16,6 +16,7 @@ const std::vector<Experiment>& experiments() {
                                            jamming(),
                                            compression(),
                                            uniaxial_compression(),
+                                           plate_compression(),
                                            slump(),
                                            friction()};
   return all;

@@ -156,6 +156,12 @@ const Named cases[] = {
     {"uniaxial_compression",
      "experiment = \"uniaxial_compression\"\n[bodies]\nN = 6\nvertices = "
      "8\n[uniaxial]\nstrain = 0.1\nstep = 0.01\npressure = 1e-3\n"},
+    {"plate_compression",
+     "experiment = \"plate_compression\"\n[bodies]\nvertices = 12\n[plates]\nstrain = 0.1\nsteps = "
+     "8\n[output]\nframes = 5\n"},
+    {"plate_compression_in_3d",
+     "experiment = \"plate_compression\"\n[bodies]\ndim = 3\nvertices = 12\nfamily = "
+     "\"droplet\"\n[plates]\nfirst = 1e-3\nsteps = 6\n"},
     {"slump",
      "experiment = \"slump\"\n[bodies]\nN = 6\nvertices = 8\n[slump]\nsettle_time = 15\nspread_time "
      "= 12\n"},

@@ -144,6 +144,14 @@ struct Uniaxial {
   double strain = 0.2, step = 0.002, packing_fraction = 0.6, pressure = 1e-3, aspect_ratio = 1;
 };
 
+struct PlateCompression {
+  double strain = 0.1, first = 1e-4;
+  int steps = 60;
+  std::string spacing = "logarithmic", orientation = "flat";
+  bool decompress = true;
+  double fit_from = 0, fit_to = 0, window = 0.5;
+};
+
 struct Slump {
   double gravity = 2e-4, width = 10, drop_spacing = 1.05;
   double settle_time = 150, spread_time = 500, rest = 1e-8;  ///< times in sqrt(1/gravity)
@@ -205,6 +213,7 @@ struct Case {
   Output output;
   std::set<std::string> given;
   std::string origin;
+  PlateCompression plates;
 
   bool is_given(const std::string& key) const { return given.count(key) > 0; }
 };
@@ -241,6 +250,8 @@ template <>
 const Fields<Compression>& fields();
 template <>
 const Fields<Uniaxial>& fields();
+template <>
+const Fields<PlateCompression>& fields();
 template <>
 const Fields<Slump>& fields();
 template <>
@@ -289,6 +300,7 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("jamming", c.jamming);
   visit("compression", c.compression);
   visit("uniaxial", c.uniaxial);
+  visit("plates", c.plates);
   visit("slump", c.slump);
   visit("sliding", c.sliding);
   visit("motion", c.motion);

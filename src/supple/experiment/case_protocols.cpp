@@ -108,6 +108,50 @@ const Fields<Uniaxial>& fields() {
 }
 
 template <>
+const Fields<PlateCompression>& fields() {
+  using P = PlateCompression;
+  static const Fields<P> f{
+      {"strain",
+       &P::strain,
+       "",
+       "largest compression: how much nearer the plates come, over their distance at first touch",
+       {0, 0.9, true, false}},
+      {"steps",
+       &P::steps,
+       "",
+       "of the upper plate on its way down, each with a minimisation",
+       {1, 1e6, false, false}},
+      {"spacing",
+       &P::spacing,
+       "",
+       "of the compressions: logarithmic from plates.first on, or linear",
+       any_value,
+       {"logarithmic", "linear"}},
+      {"first", &P::first, "", "least compression of logarithmic steps", {0, 0.9, true, false}},
+      {"decompress", &P::decompress, "", "also move the plate up again through the same compressions"},
+      {"orientation",
+       &P::orientation,
+       "",
+       "what of the particle faces the lower plate: its first edge (3D: triangle), its first vertex, or what "
+       "does as it is made, turned at random by the seed; a state stays as it is",
+       any_value,
+       {"flat", "corner", "as_made"}},
+      {"fit_from", &P::fit_from, "",
+       "least compression of the fitted exponent; 0: where five vertices touch each plate, or a decade below "
+       "plates.fit_to where that is less",
+       not_negative},
+      {"fit_to", &P::fit_to, "", "largest compression of the fitted exponent; 0: plates.strain",
+       not_negative},
+      {"window",
+       &P::window,
+       "decades",
+       "of compression over which each local exponent is fitted",
+       {0.05, 5, false, false}},
+  };
+  return f;
+}
+
+template <>
 const Fields<Slump>& fields() {
   using S = Slump;
   static const Fields<S> f{
