@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "supple/build/solid_bodies.hpp"
 #include "supple/core/error.hpp"
 #include "supple/experiment/body_motion.hpp"
 #include "supple/model/bodies.hpp"
@@ -233,23 +234,11 @@ void move_plate(const Case& c, Packing<Dim>& packing, PlateState<Dim>& state, do
                     fmt::format("the particle at compression {:.4g}", 1 - gap / state.diameter));
 }
 
-namespace {
-
-struct IsotropicConstants {
-  double young_modulus, poisson_ratio;
-};
-
-/// Young's modulus [energy/length^Dim] and Poisson's ratio of the particle; nothing where its material has
-/// none: shells, droplets, discs and rigid bodies.
-std::optional<IsotropicConstants> constants_of_particle(const Case&) { return {}; }
-
-}  // namespace
-
 template <int Dim>
-ForceUnit plate_force_unit(const Case& c, const Packing<Dim>& packing, double diameter) {
+ForceUnit plate_force_unit(const Packing<Dim>& packing, double diameter) {
   const double section = std::pow(diameter, across<Dim>);
   const std::string power = Dim == 2 ? "D" : "D^2";
-  if (const auto known = constants_of_particle(c))
+  if (const auto known = nominal_constants(packing.system, 0))
     return {known->young_modulus * section / (1 - known->poisson_ratio * known->poisson_ratio),
             "E " + power + "/(1-nu^2)"};
   return {packing.pressure_unit * section,
@@ -261,7 +250,7 @@ ForceUnit plate_force_unit(const Case& c, const Packing<Dim>& packing, double di
   template Packing<Dim> packing_between_plates(const Case&, const InitialState*, const Making&); \
   template void touch_plates(const Case&, const InitialState*, Packing<Dim>&, PlateState<Dim>&); \
   template void move_plate(const Case&, Packing<Dim>&, PlateState<Dim>&, double);                \
-  template ForceUnit plate_force_unit(const Case&, const Packing<Dim>&, double);
+  template ForceUnit plate_force_unit(const Packing<Dim>&, double);
 SUPPLE_BETWEEN(2)
 SUPPLE_BETWEEN(3)
 #undef SUPPLE_BETWEEN

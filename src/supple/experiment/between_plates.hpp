@@ -64,6 +64,6 @@ struct ForceUnit {
   std::string symbol;
 };
 template <int Dim>
-ForceUnit plate_force_unit(const Case& c, const Packing<Dim>& packing, double diameter);
+ForceUnit plate_force_unit(const Packing<Dim>& packing, double diameter);
 
 }  // namespace supple

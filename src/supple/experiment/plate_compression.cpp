@@ -167,7 +167,7 @@ void record_results(const Case& c, Packing<Dim>& packing, const PlateState<Dim>&
   const auto record = [&](const char* name, const std::string& unit, const char* meaning, double value) {
     recorder.value("results", {name, unit, meaning}, value);
   };
-  const ForceUnit unit = plate_force_unit(c, packing, state.diameter);
+  const ForceUnit unit = plate_force_unit(packing, state.diameter);
   record("diameter", "", "distance of the plates at first touch", state.diameter);
   record("force_unit", "", "unit of the column force", unit.value);
   record("largest_force", unit.symbol, "of the upper plate, at the largest compression", largest_force);
@@ -230,7 +230,7 @@ void run_plate_compression(const Case& c, const InitialState* initial, Recorder&
       touch_plates(c, initial, packing, state);
       good.look();
     }
-    const ForceUnit unit = plate_force_unit(c, packing, state.diameter);
+    const ForceUnit unit = plate_force_unit(packing, state.diameter);
     const Observables<PlateInstant<Dim>> observables = plate_observables<Dim>(unit.symbol);
     observables.declare(table, recorder);
     FrameSchedule frames(steps, c.output.frames);
