@@ -21,8 +21,8 @@ enum class Figure {
   search,    ///< pressure against packing fraction near the end of the search for the jammed state
   branches,  ///< the same along a compression and on the way back, with the fitted lines
   wall,      ///< force on the wall and contacts against strain
-  plates,    ///< force of plates on a particle against their compression, on logarithmic axes
-  motion     ///< energies against time, and the pressure or the reach of a heap
+  motion,    ///< energies against time, and the pressure or the reach of a heap
+  plates     ///< force of plates on a particle against their compression, on logarithmic axes
 };
 template <Figure figure>
 Figure always(const Case&) {
