@@ -16,6 +16,7 @@
 #include "bench/packings.hpp"
 #include "bench/pictures.hpp"
 #include "bench/shells.hpp"
+#include "bench/solids.hpp"
 #include "bench/surfaces.hpp"
 #include "bench/threads.hpp"
 #include "supple/core/version.hpp"
@@ -184,8 +185,8 @@ void print_limit(const StepTime& measured) {
 }  // namespace
 }  // namespace supple::bench
 
-/// supple_bench [sizes | cells | peers | run | shells | surfaces | jamming | pictures | threads]...: these
-/// tables, or all.
+/// supple_bench [sizes | cells | peers | run | shells | surfaces | solids | jamming | pictures | threads]...:
+/// these tables, or all.
 int main(int argc, char** argv) {
   using namespace supple::bench;
   const std::vector<std::string> wanted(argv + 1, argv + argc);
@@ -206,6 +207,7 @@ int main(int argc, char** argv) {
     print_shell_sizes();
   }
   if (wants("surfaces")) print_surfaces();
+  if (wants("solids")) print_solids();
   if (wants("jamming")) print_jamming(comparison.lammps / lammps_published);
   if (wants("pictures")) print_pictures();
   if (wants("threads")) print_threads();

@@ -65,32 +65,37 @@ struct ElementStrain {
     return rest_volume(p) * density(strain, p);
   }
 
-  /// By the first stress J (lambda tr(eps) I + 2 mu eps), the derivative of the energy per volume by J.
+  /// By the first stress J (lambda tr(eps) I + 2 mu eps), the derivative of the energy per volume by J: its
+  /// product with the transpose of X^-1 has the gradient at corner k as column k.
   static double gradient(const Vec<Dim> (&x)[arity], const Param& p, Vec<Dim> (&g)[arity]) {
-    double J[Dim][Dim], strain[Dim][Dim];
-    deform(x, p, J);
-    find_strain(J, strain);
+    Vec<Dim> J[Dim], P[Dim];  // columns
+    for (int m = 0; m < Dim; ++m) {
+      J[m] = p.inverse[m] * (x[0] - x[Dim]);
+      for (int k = 1; k < Dim; ++k) J[m] += p.inverse[k * Dim + m] * (x[k] - x[Dim]);
+    }
     const double v0 = rest_volume(p);
-    double trace = 0, stress[Dim][Dim];
-    for (int a = 0; a < Dim; ++a) trace += strain[a][a];
-    for (int a = 0; a < Dim; ++a)
-      for (int b = 0; b < Dim; ++b)
-        stress[a][b] = v0 * (2 * p.mu * strain[a][b] + (a == b) * p.lambda * trace);
+    double trace = 0, square = 0;
+    for (int m = 0; m < Dim; ++m) {
+      const double strain = 0.5 * (dot(J[m], J[m]) - 1);
+      trace += strain;
+      square += strain * strain;
+      P[m] = (2 * p.mu * v0 * strain) * J[m];
+    }
+    for (int m = 1; m < Dim; ++m)
+      for (int n = 0; n < m; ++n) {
+        const double twice = dot(J[m], J[n]), shear = p.mu * v0 * twice;
+        square += 0.5 * twice * twice;
+        P[m] += shear * J[n];
+        P[n] += shear * J[m];
+      }
+    for (int m = 0; m < Dim; ++m) P[m] += (v0 * p.lambda * trace) * J[m];
     g[Dim] = {};
-    // dE/dY = J stress (X^-1)^T, whose column k is the gradient at corner k.
     for (int k = 0; k < Dim; ++k) {
-      double along[Dim];
-      for (int m = 0; m < Dim; ++m) {
-        along[m] = 0;
-        for (int n = 0; n < Dim; ++n) along[m] += stress[m][n] * p.inverse[k * Dim + n];
-      }
-      for (int a = 0; a < Dim; ++a) {
-        g[k][a] = 0;
-        for (int m = 0; m < Dim; ++m) g[k][a] += J[a][m] * along[m];
-      }
+      g[k] = p.inverse[k * Dim] * P[0];
+      for (int m = 1; m < Dim; ++m) g[k] += p.inverse[k * Dim + m] * P[m];
       g[Dim] -= g[k];
     }
-    return v0 * density(strain, p);
+    return v0 * (0.5 * p.lambda * trace * trace + p.mu * square);
   }
 
  private:
