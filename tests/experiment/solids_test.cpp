@@ -10,6 +10,7 @@
 #include "supple/experiment/bodies_of_case.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/given_packing.hpp"
+#include "supple/experiment/jam.hpp"
 #include "supple/io/text/case_file.hpp"
 #include "tests/experiment/error_of.hpp"
 
@@ -81,6 +82,18 @@ pressure = 1e-3
   EXPECT_EQ(recorder.last_system.solid.bodies(), 8);
   EXPECT_FALSE(recorder.info.bond.empty());
   EXPECT_EQ(recorder.info.boundary_sites.size(), 12u);
+}
+
+/// The bound by which a search gives a minimisation up must hold for what is inside, too.
+TEST(Solids, HaveTheEnergyThatTheirPressureNeeds) {
+  for (const char* family : {"network", "elastic"}) {
+    Case c = jam_of("N = 8\nvertices = 30\nfamily = \"" + std::string(family) + "\"\n");
+    c.jamming.pressure = 1e-2;
+    Packing<2> packing = make_packing(c, nullptr, 0.4);
+    jam(packing, jam_spec(c));
+    const PackingState<2> s = observe(packing);
+    EXPECT_LT(least_energy(packing, s.full_pressure), s.energy) << family;
+  }
 }
 
 TEST(Solids, JamIn3D) {
