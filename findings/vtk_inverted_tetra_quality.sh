@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# VTK 9.1 (Debian 12: python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1): all measures of vtkMeshQuality for a regular tetrahedron with a
-# side of 1, for the same one turned inside out (two corners exchanged), as where a soft particle has been pushed through
+# VTK 9.1 (Debian 12: python3-vtk9 9.1.0+really9.1.0+dfsg2-5+deb12u1): all measures of vtkMeshQuality for a regular tetrahedron
+# with a side of 1, for the same one turned inside out (two corners exchanged), as where a soft particle has been pushed through
 # itself, and for a flat one whose four corners lie nearly in a square, as a Delaunay construction of a lattice makes them.
 #
 # Guess: an element that is inside out, which no finite element code can use, is worse than the flat one by each measure.
