@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Bullet 3.24 (Debian 12: libbullet-dev 3.24+dfsg-2, compiled by g++), the three laws for deformable bodies of tetrahedra, each for
-# a material with a Young's modulus of 150 and some Poisson's ratio: btDeformableNeoHookeanForce, which has setYoungsModulus and
-# setPoissonRatio for it, btDeformableCorotatedForce and btDeformableLinearElasticityForce. What the material is like, by the
+# Bullet 3.24 (Debian 12: libbullet-dev 3.24+dfsg-2, compiled by g++), the three laws for deformable bodies of tetrahedra, each
+# for a material with a Young's modulus of 150 and some Poisson's ratio: btDeformableNeoHookeanForce, which has setYoungsModulus
+# and setPoissonRatio for it, btDeformableCorotatedForce and btDeformableLinearElasticityForce. What the material is like, by the
 # forces on the corners of one tetrahedron in strains of +-0.01: shear and bulk modulus, Young's modulus and Poisson's ratio.
 #
 # Guess: all three agree in small strains, with E = 150.
 # Seen: the neo-Hookean one has three quarters of the shear modulus, a bulk modulus that is less by 19/24 of it, and so another
-# Poisson's ratio: E is 105 for 150 at 0.25. At a ratio of 0 the bulk modulus is negative: the body would grow or shrink by itself.
-# The Lame parameters go straight into the energy of Smith, de Goes and Kim ("Stable neo-Hookean flesh simulation", 2018), which
+# Poisson's ratio: E is 105 for 150 at 0.25. At a ratio of 0 the bulk modulus is negative: a body grows or shrinks by itself. The
+# Lame parameters go straight into the energy of Smith, de Goes and Kim ("Stable neo-Hookean flesh simulation", 2018), which
 # takes others: mu' = 4/3 mu, lambda' = lambda + 5/6 mu. Give those to setLameParameters. The other two laws are right.
 #   neo-Hookean, ratio 0.00: shear 56.3, bulk -9.38, E -169, ratio -2.50
 #   corotated, ratio 0.00: shear 75, bulk 50, E 150, ratio 0.00
