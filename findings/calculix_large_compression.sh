@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# CalculiX 2.20 (Debian 12: calculix-ccx 2.20-1): a cube with a side of 1 of *ELASTIC, E = 150 and ratio 0.25, one element C3D8, in
-# a static step with NLGEOM: its top is pressed down between plates without friction. The force on the top, and the stress and
+# CalculiX 2.20 (Debian 12: calculix-ccx 2.20-1): a cube with a side of 1 of *ELASTIC, E = 150 and ratio 0.25, one element C3D8,
+# in a static step with NLGEOM: its top is pressed down between plates without friction. The force on the top, and the stress and
 # strain along the load in the .dat file.
 #
 # Guess: like rubber, the harder to press the flatter it is. At a height of 0.5 a law with logarithmic strains, as other programs
