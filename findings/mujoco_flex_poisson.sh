@@ -2,7 +2,7 @@
 # MuJoCo 3.3.8 (mujoco-js 0.0.7 of npm): a soft cube, <flexcomp dim="3"> of 48 tetrahedra with <elasticity young="${given}"
 # poisson="..."/>, put into small uniform strains and shears of +-0.001; moduli by the work of the passive forces on its vertices.
 #
-# Guess: shear modulus E / (2 (1 + ratio)), bulk modulus E / (3 (1 - 2 ratio)), and so Young's modulus and ratio as they were given.
+# Guess: a shear modulus of E / (2 (1 + ratio)), a bulk modulus of E / (3 (1 - 2 ratio)), so that E and the ratio are as given.
 # Seen: the shear modulus is right. The first Lame parameter counts twice, so that the bulk modulus is 160 for 100 at a ratio of
 # 0.25, Young's modulus 160 for 150 and the ratio 0.333; at 0.45 the bulk modulus is 966 for 500. With a ratio of 0 all is as
 # given. The same for finer cubes and for small ones. A cube of E and ratio n is had by a ratio of m = n / (2 - 2 n) and a modulus
