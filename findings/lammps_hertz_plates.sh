@@ -8,7 +8,7 @@
 # Guess: 1 for each; or twice as much from plates, if they are taken for rigid ones.
 # Seen: 1 between grains. From a plate the force is 1 + ratio times that of Hertz, 1.3 for a ratio of 0.3 and 1.5 for a material
 # that keeps its volume, and the friction springs, which NULL has made from the material, are 0.50 to 0.63 of those of Mindlin.
-# So a grain between plates is another one than between two large grains, with half or less of its friction spring per force. For a
+# So a grain between plates is another than between two large grains, with half or less of its friction spring per force. For a
 # plate of the same material give the wall E / (1 + ratio) and 2 E / ((1 + ratio) (2 - ratio)) for NULL, as in the last lines.
 #   ratio 0, grain: force 1.000, stiffness 1.000
 #   ratio 0, grain of radius 50: force 1.000, stiffness 1.000
