@@ -189,6 +189,15 @@ TEST_F(Bodies, InitShowsOnlyWhatTheExperimentReads) {
   }
 }
 
+TEST_F(Bodies, InitMakesAPairThatSlides) {
+  ASSERT_EQ(supple("init friction").code, 0);
+  const Outcome check = supple("check friction.toml");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("friction of 2 particles (shell), seed 1"));
+  EXPECT_THAT(check.out, Not(HasSubstr("warning")));
+  EXPECT_EQ(supple("run friction.toml --set sliding.step=0.1").code, 0);
+}
+
 TEST_F(Bodies, InitKnowsTheDynamicsOfPolygons) {
   ASSERT_EQ(supple("init dynamics --physics deformable").code, 0);
   const std::string text = read_text(path("dynamics.toml"));

@@ -154,12 +154,16 @@ TEST_F(Run, ARunFromAPreparedSuspensionIsTheRunThatPreparesIt) {
 TEST_F(Run, ExamplesAreSound) {
   for (const std::string name :
        {"microgel", "preparation", "dynamics_pair", "jamming", "compression", "uniaxial_compression", "slump",
-        "deformable_gel", "adhesive_gel", "mixture", "sticky_kinds"}) {
+        "deformable_gel", "adhesive_gel", "mixture", "sticky_kinds", "friction"}) {
     const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
   }
   ASSERT_EQ(supple("run " SUPPLE_SOURCE_DIR "/examples/dynamics_pair.toml").code, 0);
   EXPECT_EQ(RunFile(path("dynamics_pair.h5").string()).frames(), 201) << "first and last included";
+  const Outcome pair = supple("run " SUPPLE_SOURCE_DIR "/examples/friction.toml");
+  ASSERT_EQ(pair.code, 0) << pair.err;
+  EXPECT_NEAR(RunFile(path("friction.h5").string()).value("results", "friction_max"), 0.537, 0.04);
+  EXPECT_TRUE(std::filesystem::exists(path("friction_friction.png")));
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ case $kind$deformable$given in
   jamming*) more="$jam" ;;
   compression*) more="$jam --set compression.per_decade=2" ;;
   uniaxial*) more="$bodies --set uniaxial.strain=0.03 --set uniaxial.pressure=2e-3" ;;
+  friction*) more="--set sliding.step=0.1" ;;
   slump*) more="$bodies --set slump.settle_time=5 --set slump.spread_time=5 --set slump.width=4" ;;
 esac
 exec "$REAL" "$@" $more

@@ -242,6 +242,10 @@ TEST(Cost, StepsThatNoIntegerHoldsAreRefusedByName) {
   c = bodies_case("uniaxial_compression");
   c.uniaxial.step = 5e-324;
   refused(c, "uniaxial.step");
+  c = bodies_case("friction");
+  c.bodies.count = 2;
+  c.sliding.step = 5e-324;
+  refused(c, "sliding.step");
   c = bodies_case("compression");
   c.compression.per_decade = 2000000000;
   refused(c, "compression.per_decade");

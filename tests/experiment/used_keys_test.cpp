@@ -42,6 +42,7 @@ std::vector<Case> every_kind() {
     c.slump.settle_time = c.slump.spread_time = 1;
     c.slump.width = 4;
     if (e.name == "dynamics") c.time.steps = 20;
+    if (e.name == "friction") c.bodies.count = 2;
     c.general.physics = e.matter->physics;
     resolve_family(c);
     kinds.push_back(c);

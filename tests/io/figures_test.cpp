@@ -98,6 +98,27 @@ TEST_F(FigureOfBodies, MotionsShowEnergiesAndTheHeap) {
   }
 }
 
+/// The curve, the bound of rough particles on both sides, and seven pictures of the pair with what is held.
+TEST_F(FigureOfBodies, FrictionStandsOverPicturesOfThePair) {
+  for (const std::string kind : {"rough", "smooth"}) {
+    Case c = testing::body_case("friction");
+    c.bodies.count = 2;
+    c.bodies.large_fraction = 0;
+    c.bodies.vertices = 8;
+    c.contact.kind = kind;
+    c.sliding.path = "cyclic";
+    c.output.frames = 90;
+    FileRecorder recorder(in_folder("pair.h5"), c, "", Existing::replace);
+    run(c, nullptr, recorder);
+    recorder.finish("complete");
+    draw_figure(in_folder("pair.svg"), RunFile(in_folder("pair.h5")));
+    const std::string svg = content_of(in_folder("pair.svg"));
+    EXPECT_EQ(points(svg, "13.333333%,53.333333%,20%"), 7 * 2) << kind;
+    EXPECT_EQ(points(svg, red), 7 * 3) << kind;
+    EXPECT_EQ(count_of(svg, "stroke-dasharray"), kind == "rough" ? 3 : 0);  // and the legend
+  }
+}
+
 TEST_F(FigureOfBodies, RefusesARunWithNothingToShow) {
   try {
     figure(testing::body_case("dynamics"), "motion", {{"time", "", ""}}, {{0}});
@@ -115,6 +136,7 @@ TEST(FigureSubject, NamesTheFile) {
   EXPECT_EQ(subject_of(testing::body_case("slump")), "energy");
   EXPECT_EQ(subject_of(testing::body_case("uniaxial_compression")), "force");
   EXPECT_EQ(subject_of(testing::body_case("plate_compression")), "force");
+  EXPECT_EQ(subject_of(testing::body_case("friction")), "friction");
 }
 
 }  // namespace

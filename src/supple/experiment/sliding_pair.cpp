@@ -42,18 +42,11 @@ std::vector<Vec2> ring_of(const System<2>& s, int b) {
 
 double vertex_radius(const System<2>& s, int b) { return s.state.radius[vertex(s, b, 0)]; }
 
-/// The vertices that are held: of the edge (of an even number `count`, the two at its ends) or about the
-/// vertex (of an odd one, it and its neighbours) opposite to the side that meets the other particle. Vertex 0
-/// of the lower particle is the left end of the edge that looks up, that of the upper one looks down.
-std::vector<std::int32_t> held_vertices(const System<2>& s, int b) {
-  const int n = vertices_of(s, b);
-  const bool about_vertex = (n % 2 == 0) == (b == upper);
-  if (about_vertex) {
-    const int middle = b == upper ? n / 2 : (n - 1) / 2;
-    return {vertex(s, b, middle - 1), vertex(s, b, middle), vertex(s, b, middle + 1)};
-  }
-  const int left = b == upper ? (n + 1) / 2 : n / 2 - 1;
-  return {vertex(s, b, left), vertex(s, b, b == upper ? left - 1 : left + 1)};
+/// The sites of a body that are held.
+std::vector<std::int32_t> held_sites(const System<2>& s, int b) {
+  std::vector<std::int32_t> sites;
+  for (const int k : held_vertices(vertices_of(s, b), b == upper)) sites.push_back(vertex(s, b, k));
+  return sites;
 }
 
 /// Turns a body about its centre so that vertex 0 lies in this direction [radian].
@@ -211,6 +204,14 @@ void put_in_place(SlidingPair& pair, const std::vector<std::int32_t>& of_lower) 
 
 }  // namespace
 
+std::vector<int> held_vertices(int n, bool of_upper) {
+  // Opposite to the vertex of the upper particle that looks down there is a vertex if n is even, opposite to
+  // the edge of the lower one that looks up if n is odd.
+  const int middle = n / 2;
+  if ((n % 2 == 0) == of_upper) return {middle - 1, middle, (middle + 1) % n};
+  return of_upper ? std::vector{middle, middle + 1} : std::vector{middle - 1, middle};
+}
+
 std::vector<Tether<2>> SlidingPair::tethers(std::int64_t place) const {
   std::vector<Tether<2>> all = held;
   for (Tether<2> t : moved) {
@@ -237,7 +238,7 @@ SlidingPair make_sliding_pair(const Case& c) {
     pair.bound = rough_friction_bound(
         0.5 * norm(s.state.position[vertex(s, lower, 0)] - s.state.position[vertex(s, lower, -1)]), reach);
 
-  const std::vector<std::int32_t> of_lower = held_vertices(s, lower), of_upper = held_vertices(s, upper);
+  const std::vector<std::int32_t> of_lower = held_sites(s, lower), of_upper = held_sites(s, upper);
   move_body(s, upper, {mark(s, of_lower) - mark(s, of_upper), -vertical_distance(s)});
   place_sites(s);
   set_heights(c, pair);

@@ -32,6 +32,11 @@ struct SlidingPath {
   }
 };
 
+/// The vertices of a particle that are held, counted along its boundary, of so many: of the upper particle,
+/// whose vertex 0 looks down, and of the lower one, whose vertex 0 is the left end of the edge that looks up.
+/// Two are the ends of an edge, three a vertex and its neighbours.
+std::vector<int> held_vertices(int vertices, bool of_upper);
+
 /// The particles are bodies 0, below, with an edge up, and 1, above, with a vertex down, each in the shape
 /// that it takes alone. Springs hold the two lowest vertices of the lower one and the three highest of the
 /// upper one where they are in these shapes; of a particle with an odd number of vertices, where an edge and

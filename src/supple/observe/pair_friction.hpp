@@ -19,7 +19,7 @@ struct MutualForce {
 
   double normal_force() const { return dot(force, normal); }
   /// Along t, for which n x t is the unit vector toward the reader: n turned counter-clockwise.
-  double tangential_force() const { return normal[0] * force[1] - normal[1] * force[0]; }
+  double tangential_force() const { return cross(normal, force) + 0.0; }  // no -0 where nothing touches
   /// mu_eff = F_t/F_n; 0 without a force along n, as where nothing touches.
   double friction() const { return normal_force() != 0 ? tangential_force() / normal_force() : 0; }
 };

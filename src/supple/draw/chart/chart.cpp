@@ -219,7 +219,7 @@ AxisScale column_scale(const ChartColumn& column, double width) {
   return scale;
 }
 
-void draw_column(Canvas& canvas, const ChartColumn& column, double left, double right) {
+void draw_column(Canvas& canvas, const ChartColumn& column, double left, double right, double bottom) {
   // Legends wrap at the width without the labels of the y axis, which are not known yet: 40 pt is ample.
   std::vector<PlacedPanel> panels;
   double headers = 0, weights = 0;
@@ -229,7 +229,7 @@ void draw_column(Canvas& canvas, const ChartColumn& column, double left, double 
     weights += panel.weight;
   }
   const double gaps = gap * static_cast<double>(panels.size() - 1);
-  const double height = canvas.height() - 2 * edge - x_axis_height - headers - gaps;
+  const double height = bottom - 2 * edge - x_axis_height - headers - gaps;
   double y = edge, labels = 0;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const double top = y + panels[p].header_height();
@@ -258,9 +258,10 @@ void draw_chart(const std::string& path, const Chart& chart) {
   double left = edge;
   for (const ChartColumn& column : chart.columns) {
     const double width = usable * column.weight / weights;
-    draw_column(canvas, column, left, left + width);
+    draw_column(canvas, column, left, left + width, chart.height - chart.room_below);
     left += width + column_gap;
   }
+  if (chart.below) chart.below(canvas, chart.height - chart.room_below);
   canvas.finish();
 }
 

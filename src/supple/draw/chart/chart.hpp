@@ -1,5 +1,6 @@
 /// Charts for papers: columns of stacked panels with round ticks, units, and legends outside of the data.
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include "supple/draw/canvas/color.hpp"
 
 namespace supple {
+
+class Canvas;
 
 enum class Marks { line, points };
 
@@ -59,6 +62,9 @@ struct Chart {
   std::vector<ChartColumn> columns;
   double width = 504, height = 252;  ///< [pt]; 504: both columns of a journal page
   double dots_per_inch = 300;
+  double room_below = 0;  ///< part of the height that is left free under the columns [pt]
+  /// Draws what stands there, on the page of the chart, from `top` down [pt]; empty: nothing does.
+  std::function<void(Canvas&, double top)> below = {};
 };
 
 /// Draws and writes a chart; the ending of `path` chooses png, jpg, svg, pdf or ps. Throws input and file

@@ -245,7 +245,7 @@ void write_contacts(const RunFile& run, CsvFile& csv) {
 
 void export_csv(const RunFile& run, const std::string& path, Existing existing) {
   CsvFile csv(path, existing);
-  for (const char* table : {"packing", "motion", "stress"})
+  for (const char* table : {"packing", "motion", "friction", "stress"})
     if (run.has_table(table) || table == std::string("stress")) {
       export_table(run, table, csv);
       break;

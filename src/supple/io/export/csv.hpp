@@ -10,9 +10,9 @@ namespace supple {
 /// Writes the main table of `run` as CSV, with units in the header: "t [s]". Numbers are in SI, for
 /// deformable particles in the units of the run, and the shortest that read back to the same double.
 ///
-/// The main table is "packing" (one row per minimisation or pressure), "motion" (one row per interval) or
-/// else, of sheared discs and particles, "stress" (one row per step). Throws a file error where the run has
-/// none.
+/// The main table is "packing" (one row per minimisation or pressure), "motion" (one row per interval),
+/// "friction" (one row per place) or else, of sheared discs and particles, "stress" (one row per step).
+/// Throws a file error where the run has none.
 void export_csv(const RunFile& run, const std::string& path, Existing existing = Existing::refuse);
 
 /// Writes the table "energy" likewise, a row per step. Throws an input error where the run has none.

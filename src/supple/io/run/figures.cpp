@@ -9,6 +9,8 @@
 #include "supple/core/error.hpp"
 #include "supple/draw/chart/chart.hpp"
 #include "supple/draw/chart/pressure_plot.hpp"
+#include "supple/draw/chart/sliding_plot.hpp"
+#include "supple/experiment/sliding_pair.hpp"
 #include "supple/io/run/run_pictures.hpp"
 
 namespace supple {
@@ -174,6 +176,71 @@ void plot_motion(const std::string& path, const RunFile& run) {
   draw_chart(path, {{column}, 340, 300});
 }
 
+constexpr double not_touching = std::numeric_limits<double>::quiet_NaN();
+
+/// The pair in a frame.
+SlidingPicture picture_of(const RunInfo<2>& info, const Frame<2>& frame) {
+  const auto ring = [&](std::size_t b) {
+    const std::int32_t begin = info.body_begin[b], end = info.body_begin[b + 1];
+    return PicturedRing{{frame.position.begin() + begin, frame.position.begin() + end},
+                        info.radius[static_cast<std::size_t>(begin)],
+                        held_vertices(end - begin, b == 1)};
+  };
+  return {frame.numbers.at("sliding_x"), frame.contacts.empty() ? not_touching : frame.numbers.at("friction"),
+          ring(0), ring(1)};
+}
+
+/// Seven pictures, evenly spaced over the places of the first way where the two touch and a little beyond.
+std::vector<SlidingPicture> sliding_pictures(const RunFile& run, const SlidingCurve& first_way) {
+  constexpr int pictures = 7;
+  std::vector<std::size_t> touching;
+  for (std::size_t k = 0; k < first_way.x.size(); ++k)
+    if (std::isfinite(first_way.friction[k])) touching.push_back(k);
+  if (touching.empty() || run.frames() == 0) return {};
+  const double begin = first_way.x[touching.front()], end = first_way.x[touching.back()],
+               beyond = 0.1 * (end - begin);
+  std::vector<SlidingPicture> frames;
+  const RunInfo<2> info = run.info();
+  // Frames are evenly spaced over all ways.
+  const auto places = static_cast<std::int64_t>(first_way.x.size());
+  const std::int64_t of_first =
+      1 + (run.frames() - 1) * (places - 1) / std::max<std::int64_t>(1, run.rows("friction") - 1);
+  for (std::int64_t k = 0; k < of_first; ++k) frames.push_back(picture_of(info, run.frame(k)));
+  std::vector<SlidingPicture> chosen;
+  for (int k = 0; k < pictures; ++k) {
+    const double wanted = begin - beyond + (end - begin + 2 * beyond) * k / (pictures - 1);
+    const auto nearest = std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.x - wanted) < std::abs(b.x - wanted);
+    });
+    if (chosen.empty() || chosen.back().x != nearest->x) chosen.push_back(*nearest);
+  }
+  return chosen;
+}
+
+void plot_friction(const std::string& path, const RunFile& run) {
+  const std::vector<double> leg = run.column("friction", "leg"), x = run.column("friction", "x_over_width"),
+                            mu = run.column("friction", "friction"),
+                            contacts = run.column("friction", "contacts");
+  const Case c = run.resolved_case();
+  SlidingPlot plot;
+  plot.bound = run.find_value("constants", "friction_bound");
+  plot.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const bool turns = k > 0 && leg[k] != leg[k - 1];
+    if (k == 0 || turns) {
+      plot.curves.push_back({});
+      if (c.sliding.path == "cyclic")
+        plot.curves.back().label = leg[k] == 0 ? "there" : leg[k] == 1 ? "back" : "";
+    }
+    for (const std::size_t at : turns ? std::vector{k - 1, k} : std::vector{k}) {
+      plot.curves.back().x.push_back(x[at]);
+      plot.curves.back().friction.push_back(contacts[at] > 0 ? mu[at] : not_touching);
+    }
+  }
+  plot.pictures = sliding_pictures(run, plot.curves.front());
+  draw_sliding_plot(path, plot);
+}
+
 /// How each figure is drawn, and from which table of the run.
 struct Drawing {
   Figure figure;
@@ -185,8 +252,9 @@ constexpr Drawing drawings[] = {{Figure::stress, "stress", nullptr, draw_run_plo
                                 {Figure::search, "pressure", "packing", plot_jamming},
                                 {Figure::branches, "pressure", "packing", plot_compression},
                                 {Figure::wall, "force", "packing", plot_uniaxial},
-                                {Figure::plates, "force", "plates", plot_plates},
-                                {Figure::motion, "energy", "motion", plot_motion}};
+                                 {Figure::plates, "force", "plates", plot_plates},
+                                 {Figure::motion, "energy", "motion", plot_motion},
+                                 {Figure::friction, "friction", "friction", plot_friction}};
 
 const Drawing* find_drawing(Figure figure) {
   for (const Drawing& d : drawings)

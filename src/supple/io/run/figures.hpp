@@ -8,7 +8,7 @@
 
 namespace supple {
 
-/// A word for the name of the file of a figure: "stress", "pressure", "force" or "energy".
+/// A word for the name of the file of a figure: "stress", "pressure", "force", "energy" or "friction".
 std::string_view figure_subject(Figure figure);
 
 /// Draws the figure of the run's experiment. Throws an input error where the experiment has none or the table

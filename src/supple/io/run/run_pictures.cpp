@@ -52,6 +52,9 @@ std::string packing_title(const RunFile& run, double packing_fraction, double pr
 std::string title_of(const RunFile& run, const Scene& scene) {
   if (const auto strain = scene.numbers.find("uniaxial_strain"); strain != scene.numbers.end())
     return fmt::format("strain {}\u00a0%", tick_label(100 * strain->second, 0.1));
+  if (const auto x = scene.numbers.find("sliding_x"); x != scene.numbers.end())
+    return fmt::format("x = {}\u00a0D,  \u03bc = {}", tick_label(x->second, 0.001),
+                       tick_label(scene.numbers.at("friction"), 0.001));
   const CellNumbers cell = cell_numbers(scene);
   return scene.time != 0 ? "" : packing_title(run, cell.packing_fraction, cell.pressure);  // time and strain
 }
@@ -94,6 +97,7 @@ class RunScenes {
     Scene scene = scene_of(info_, run_.frame(k));
     scene.boundary = boundary_;
     // A heap stands on its floor without a lid; its right wall is taken away when the box widens.
+    if (run_.experiment() == "friction") scene.walls = Walls{};  // springs hold the pair, in the open
     if (run_.experiment() == "slump")
       scene.walls = Walls{true, scene.box.length[flow] <= info_.box.length[flow], true, false};
     return scene;
