@@ -134,6 +134,8 @@ class SnapshotPage {
     for (const DrawnBody& image : bodies_)
       if (image.lies != skipped && scene_.is_held(image.body))
         hatch(on_page(shapes_[image.body].area, image.shift), hatching_, {shade(ink), 0.6 * outline_});
+    for (const DrawnBody& image : bodies_)
+      if (image.lies != skipped) mark(image, shade(mark_color));
     for (const ContactStyle& style : contact_styles)
       for (const ContactImage& line : contacts_)
         if (line.lies != skipped && scene_.contacts[line.contact].state == style.state)
@@ -156,6 +158,15 @@ class SnapshotPage {
     for (std::size_t k = 0; k < ring.size(); ++k)
       canvas_.circle(ring[k], radius[k] * page_.scale(), {color, {}});
     canvas_.polygon(ring, {{}, seam});
+  }
+
+  /// Marked sites of a body, wide enough to be seen.
+  void mark(const DrawnBody& image, Color color) {
+    constexpr double least = 1.6;  // [pt]
+    for (const std::int32_t i : options_.marked)
+      if (body_of_site_[i] == image.body)
+        canvas_.circle(page_.on_page(scene_.position[i] + image.shift),
+                       std::max(least, scene_.radius[i] * page_.scale()), {color, {}});
   }
 
   /// Lines x + y = const in an outline, the same in all bodies.
@@ -271,6 +282,9 @@ ColorScale scale_of(const BodyScalar& scalar) {
 void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options) {
   check_scene(scene, path);
   check_colors(path, static_cast<std::size_t>(scene.bodies()), options.scalar, options.color);
+  for (const std::int32_t i : options.marked)
+    if (i < 0 || i >= scene.sites())
+      throw input_error("cannot draw '" + path + "'", fmt::format("marked site {} is not there", i));
   SnapshotPage(path, scene, options).draw();
 }
 
