@@ -25,9 +25,22 @@ namespace supple::command {
 
 namespace {
 
+/// Shear strains of the frames, or where these are none how far plates or a wall have come.
+std::vector<double> strains_of(const RunFile& run) {
+  std::vector<double> strains = run.strains();
+  for (std::size_t k = 0; k < strains.size(); ++k) {
+    const auto at = static_cast<std::int64_t>(k);
+    const SystemNumbers numbers = run.dimensions() == 2 ? run.frame(at).numbers : run.frame<3>(at).numbers;
+    const auto pressed = numbers.find("uniaxial_strain");
+    if (pressed == numbers.end()) break;
+    strains[k] = pressed->second;
+  }
+  return strains;
+}
+
 /// The frame that pictures show by default: the first one with the largest strain; without strain, the last.
 std::int64_t telling_frame(const RunFile& run) {
-  const std::vector<double> strains = run.strains();
+  const std::vector<double> strains = strains_of(run);
   std::size_t best = 0;
   double largest = 0;
   for (std::size_t k = 0; k < strains.size(); ++k)

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -123,7 +124,9 @@ TEST(PlateCompression, AShellIn2dIsAThinRing) {
   // Its area is kept better than its height: it widens, and the force grows faster than the compression.
   EXPECT_GT(column(r, "width")[60], 1.07);
   EXPECT_LT(column(r, "volume_change")[60], 0);
-  EXPECT_GT(r.tables.at("local_exponents").column("exponent")[55], 1.1);
+  const std::vector<double> local = r.tables.at("local_exponents").column("exponent");
+  EXPECT_NEAR(local.front(), 1, 1e-3);
+  EXPECT_GT(*std::max_element(local.begin(), local.end()), 1.1);
 }
 
 /// What the plate does is what the particle stores: by the trapezoidal rule, as fine as the steps are.

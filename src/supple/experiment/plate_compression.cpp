@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/between_plates.hpp"
@@ -12,7 +9,7 @@
 #include "supple/experiment/frame_schedule.hpp"
 #include "supple/experiment/key_sets.hpp"
 #include "supple/experiment/packing_record.hpp"
-#include "supple/observe/power_law.hpp"
+#include "supple/experiment/plate_exponents.hpp"
 #include "supple/observe/shape_measures.hpp"
 
 namespace supple {
@@ -74,96 +71,10 @@ Observables<PlateInstant<Dim>> plate_observables(const std::string& unit) {
        [](const P& p) { return p.is_down ? 1.0 : -1.0; }}};
 }
 
-constexpr const char* table = "plates";
-
-/// The rows of one branch, in the order of the run; the largest compression belongs to both.
-struct BranchRows {
-  std::vector<double> compression, force, nodes;  ///< nodes: of the plate that fewer touch
-};
-BranchRows rows_of_branch(Recorder& recorder, bool down) {
-  const auto column = [&](const char* name) { return recorder.column(table, name); };
-  const std::vector<double> x = column("compression"), f = column("force"), upper = column("upper_nodes"),
-                            lower = column("lower_nodes"), branch = column("branch");
-  BranchRows rows;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const bool is_turn = branch[k] > 0 && (k + 1 == x.size() || branch[k + 1] < 0);
-    if (branch[k] > 0 ? !down && !is_turn : down) continue;
-    rows.compression.push_back(x[k]);
-    rows.force.push_back(f[k]);
-    rows.nodes.push_back(std::min(upper[k], lower[k]));
-  }
-  return rows;
-}
-
-/// From where five nodes touch each plate for good; the largest compression where they never do.
-double five_nodes_from(const BranchRows& down) {
-  double from = down.compression.back();
-  for (std::size_t k = down.nodes.size(); k-- > 0 && down.nodes[k] >= 5;) from = down.compression[k];
-  return from;
-}
-
-/// Range of compressions over which exponents are fitted.
-struct Window {
-  double from, to;
-};
-Window fit_window(const PlateCompression& plates, const BranchRows& down) {
-  const double to = plates.fit_to > 0 ? plates.fit_to : plates.strain;
-  return {plates.fit_from > 0 ? plates.fit_from : std::min(five_nodes_from(down), 0.1 * to), to};
-}
-
-/// Vertices at the plate that fewer touch, at the compression nearest above the beginning of the window.
-double nodes_at(const BranchRows& down, double compression) {
-  for (std::size_t k = 0; k < down.nodes.size(); ++k)
-    if (down.compression[k] >= compression * (1 - 1e-9)) return down.nodes[k];
-  return 0;
-}
-
-void record_exponents(const Case& c, Recorder& recorder) {
-  const std::string local = "local_exponents";
-  recorder.declare(local, {{"compression", "", "delta/D"},
-                           {"exponent", "", "d ln F/d ln delta there, over plates.window decades"},
-                           {"error", "", "its standard error"},
-                           {"branch", "", "1: the plate comes down, -1: it goes up again"}});
-  const BranchRows down = rows_of_branch(recorder, true);
-  const Window window = fit_window(c.plates, down);
-  const auto record = [&](const char* name, const char* meaning, double value, double error = -1) {
-    recorder.value("results", {name, "", meaning}, value, error);
-  };
-  bool has_window = false;
-  for (const bool is_down : {true, false}) {
-    if (!is_down && !c.plates.decompress) continue;
-    const BranchRows rows = is_down ? down : rows_of_branch(recorder, false);
-    const auto laws = local_power_laws(rows.compression, rows.force, c.plates.window);
-    for (std::size_t k = 0; k < laws.size(); ++k)
-      if (laws[k])
-        recorder.append(
-            local, std::array{rows.compression[k], laws[k]->exponent, laws[k]->error, is_down ? 1.0 : -1.0});
-    const auto law = fit_power_law(rows.compression, rows.force, window.from, window.to);
-    if (!law) continue;
-    record(is_down ? "exponent" : "exponent_up",
-           is_down ? "of the force against the compression, over the fitted window, as the plate comes down"
-                   : "the same as it goes up",
-           law->exponent, law->error);
-    if (!is_down) continue;
-    has_window = true;
-    record("factor", "force at compression 1 by that power law, in the unit of the column force",
-           law->factor);
-    record("fit_from", "least compression of the fit", law->from);
-    record("fit_to", "largest compression of the fit", law->to);
-    record("fit_points", "rows of the fit", law->points);
-    record("fit_nodes", "vertices that touch the plate that fewer touch, where the fit begins",
-           nodes_at(down, law->from));
-  }
-  if (!has_window)
-    recorder.warning(
-        fmt::format("no exponent: less than three compressions from {:.3g} to {:.3g} press on the particle",
-                    window.from, window.to));
-}
-
 template <int Dim>
 void record_results(const Case& c, Packing<Dim>& packing, const PlateState<Dim>& state, double largest_force,
                     double largest_rotation, Recorder& recorder) {
-  record_exponents(c, recorder);
+  record_exponents(c.plates, recorder);
   const auto record = [&](const char* name, const std::string& unit, const char* meaning, double value) {
     recorder.value("results", {name, unit, meaning}, value);
   };
@@ -171,9 +82,8 @@ void record_results(const Case& c, Packing<Dim>& packing, const PlateState<Dim>&
   record("diameter", "", "distance of the plates at first touch", state.diameter);
   record("force_unit", "", "unit of the column force", unit.value);
   record("largest_force", unit.symbol, "of the upper plate, at the largest compression", largest_force);
-  const BranchRows down = rows_of_branch(recorder, true);
   record("touching_nodes", "", "vertices that touch the plate that fewer touch, at the largest compression",
-         down.nodes.back());
+         touching_nodes(recorder));
   record("largest_rotation", "radian", "how far the particle has turned as a whole at most",
          largest_rotation);
   record("work", "", "of the upper plate on its way down", state.work_down);
@@ -232,7 +142,7 @@ void run_plate_compression(const Case& c, const InitialState* initial, Recorder&
     }
     const ForceUnit unit = plate_force_unit(packing, state.diameter);
     const Observables<PlateInstant<Dim>> observables = plate_observables<Dim>(unit.symbol);
-    observables.declare(table, recorder);
+    observables.declare(plate_table, recorder);
     FrameSchedule frames(steps, c.output.frames);
     frames.skip_to(state.step);
     for (; state.step <= steps; ++state.step) {
@@ -258,7 +168,7 @@ void run_plate_compression(const Case& c, const InitialState* initial, Recorder&
       if (k == course.turn) largest.force = now.plates.upper / unit.value;
       largest.rotation =
           std::max(largest.rotation, turned_by<Dim>(state.shape, packing.system.state.position));
-      observables.append(table, now, recorder);
+      observables.append(plate_table, now, recorder);
       if (frames.due(state.step)) {
         Frame<Dim> frame = packing_frame(packing, report_packing(packing), Surroundings::open);
         frame.numbers["uniaxial_strain"] = now.compression;

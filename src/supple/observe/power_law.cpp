@@ -68,12 +68,11 @@ std::vector<std::optional<PowerLaw>> local_power_laws(std::span<const double> x,
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (std::size_t k = 0; k < x.size(); ++k)
     if (can_count(x[k], y[k])) least = std::min(least, x[k]), most = std::max(most, x[k]);
-  const double width = std::pow(10, decades), half = std::sqrt(width);
-  if (!(most >= least * width * (1 - slack))) return laws;
+  const double half = std::pow(10, 0.5 * decades);
   for (std::size_t k = 0; k < x.size(); ++k) {
     if (!can_count(x[k], y[k])) continue;
-    const double from = std::clamp(x[k] / half, least, std::max(least, most / width));
-    laws[k] = fit_power_law(x, y, from, from * width);
+    const double from = x[k] / half, to = x[k] * half;
+    if (from >= least * (1 - slack) && to <= most * (1 + slack)) laws[k] = fit_power_law(x, y, from, to);
   }
   return laws;
 }

@@ -20,9 +20,8 @@ struct PowerLaw {
 std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const double> y, double from,
                                       double to);
 
-/// The exponent round each point: the power law over `decades` decades of x with the point in their middle,
-/// or moved inwards at the ends of the data. Nothing where the data span less than that, and at points that
-/// are not above 0.
+/// The exponent round each point: the power law over `decades` decades of x with the point in their middle.
+/// Nothing at points that are not above 0, or so near an end of the data that these do not span all of it.
 std::vector<std::optional<PowerLaw>> local_power_laws(std::span<const double> x, std::span<const double> y,
                                                       double decades);
 

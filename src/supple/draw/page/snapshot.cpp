@@ -135,6 +135,8 @@ class SnapshotPage {
     for (const DrawnBody& image : bodies_)
       if (image.lies != skipped && scene_.is_held(image.body))
         hatch(on_page(shapes_[image.body].area, image.shift), hatching_, {shade(ink), 0.6 * outline_});
+    for (const DrawnBody& image : bodies_)
+      if (image.lies != skipped) mark(image, shade(mark_color));
     for (const ContactStyle& style : contact_styles)
       for (const ContactImage& line : contacts_)
         if (line.lies != skipped && scene_.contacts[line.contact].state == style.state)
@@ -170,10 +172,19 @@ class SnapshotPage {
       const Pen pen{mix(mix(color_[image.body], black, 0.35), white, whiteness), 0.4 * outline_};
       for (const std::size_t k : of_body[static_cast<std::size_t>(image.body)]) {
         const auto [i, j] = scene_.bond[k];
-        canvas_.line(page_.on_page(scene_.position[i] + image.shift), page_.on_page(scene_.position[j] + image.shift),
-                     pen);
+        canvas_.line(page_.on_page(scene_.position[i] + image.shift),
+                     page_.on_page(scene_.position[j] + image.shift), pen);
       }
     }
+  }
+
+  /// Marked sites of a body, wide enough to be seen.
+  void mark(const DrawnBody& image, Color color) {
+    constexpr double least = 1.6;  // [pt]
+    for (const std::int32_t i : options_.marked)
+      if (body_of_site_[i] == image.body)
+        canvas_.circle(page_.on_page(scene_.position[i] + image.shift),
+                       std::max(least, scene_.radius[i] * page_.scale()), {color, {}});
   }
 
   /// Lines x + y = const in an outline, the same in all bodies.
@@ -289,6 +300,9 @@ ColorScale scale_of(const BodyScalar& scalar) {
 void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options) {
   check_scene(scene, path);
   check_colors(path, static_cast<std::size_t>(scene.bodies()), options.scalar, options.color);
+  for (const std::int32_t i : options.marked)
+    if (i < 0 || i >= scene.sites())
+      throw input_error("cannot draw '" + path + "'", fmt::format("marked site {} is not there", i));
   SnapshotPage(path, scene, options).draw();
 }
 

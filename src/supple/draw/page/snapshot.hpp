@@ -35,12 +35,15 @@ struct SnapshotOptions {
   double dots_per_inch = 200;             ///< png and jpg
   double strain_room = 0;  ///< leave room for a cell leaning by this strain: equal pages for a film
   Vec2 room = {};          ///< leave room for a cell of these lengths, and take its scale: likewise
+  std::vector<std::int32_t> marked = {};  ///< sites with a red disc
 };
+
+inline constexpr Color mark_color = hex(0xCC3311);
 
 /// Draws one instant: discs, flattened where they overlap, and polygons, with the discs on their vertices or
 /// a smooth boundary, in the sheared cell with its faded surroundings; contacts coloured by state and as wide
-/// as their force; hatches on bodies that are held; walls and plates; scale bar; legend. The ending of `path`
-/// chooses png, jpg, svg, pdf or ps. Throws input and file errors.
+/// as their force; hatches on bodies that are held; marked sites; walls and plates; scale bar; legend. The
+/// ending of `path` chooses png, jpg, svg, pdf or ps. Throws input and file errors.
 void draw_snapshot(const std::string& path, const Scene& scene, const SnapshotOptions& options = {});
 
 }  // namespace supple

@@ -123,15 +123,16 @@ ChartSeries branch_of_plates(const RunFile& run, const std::string& table, const
   return series;
 }
 
-/// A thin line of this slope below the points, to half of the last of them.
-ChartSeries slope_guide(const ChartSeries& points, double slope, const std::vector<double>& dash) {
+/// A thin line of this slope through half of the force at compression `at`, over all of the points.
+ChartSeries slope_guide(const ChartSeries& points, double slope, double at, const std::vector<double>& dash) {
   ChartSeries guide{fmt::format("slope {}", slope), {}, {}, {}, gray, Marks::line, 0.5, dash};
-  if (points.x.empty()) return guide;
+  const auto place = std::find(points.x.begin(), points.x.end(), at);
+  if (place == points.x.end()) return guide;
+  const double force = points.y[static_cast<std::size_t>(place - points.x.begin())];
   const auto [low, high] = std::minmax_element(points.x.begin(), points.x.end());
-  const double last = points.y[static_cast<std::size_t>(high - points.x.begin())];
   for (const double x : {*low, *high}) {
     guide.x.push_back(x);
-    guide.y.push_back(0.5 * last * std::pow(x / *high, slope));
+    guide.y.push_back(0.5 * force * std::pow(x / at, slope));
   }
   return guide;
 }
@@ -142,7 +143,9 @@ void plot_plates(const std::string& path, const RunFile& run) {
   const ChartSeries down = branch_of_plates(run, "plates", "force", 1),
                     up = branch_of_plates(run, "plates", "force", -1);
   ChartPanel force{x, {"Force", unit_of(run, "plates", "force"), {}, Spacing::logarithmic}, {}};
-  force.series = {slope_guide(down, 1, {}), slope_guide(down, 1.5, {3, 2}), up, down};
+  // The steeper guide ends below the last point, or it would cross the data.
+  const double first = down.x.empty() ? 0 : down.x.front(), last = down.x.empty() ? 0 : down.x.back();
+  force.series = {slope_guide(down, 1, first, {}), slope_guide(down, 1.5, last, {3, 2}), up, down};
   if (up.x.empty()) force.series.erase(force.series.begin() + 2);
   force.weight = 1.6;
   ChartColumn column{{force}, 1};

@@ -48,8 +48,31 @@ std::string packing_title(const RunFile& run, double packing_fraction, double pr
   return title;
 }
 
+constexpr const char* plate_experiment = "plate_compression";
+
+/// Sites of a particle between plates that touch one of these.
+template <int Dim>
+std::vector<std::int32_t> touching_plates(const RunFile& run, const RunInfo<Dim>& info,
+                                          const std::vector<Vec<Dim>>& position, double gap) {
+  std::vector<std::int32_t> touching;
+  if (run.experiment() != plate_experiment) return touching;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    const double height = position[i][Dim - 1];
+    if (std::min(height, gap - height) < info.radius[i]) touching.push_back(static_cast<std::int32_t>(i));
+  }
+  return touching;
+}
+
+/// How far the plates have come together; empty where there are none.
+std::string plates_title(const RunFile& run, const SystemNumbers& numbers) {
+  const auto compression = numbers.find("uniaxial_strain");
+  if (run.experiment() != plate_experiment || compression == numbers.end()) return "";
+  return fmt::format("\u03b4/D = {}", short_number(compression->second));
+}
+
 /// Time where it passes; else what the packing is.
 std::string title_of(const RunFile& run, const Scene& scene) {
+  if (run.experiment() == plate_experiment) return plates_title(run, scene.numbers);
   if (const auto strain = scene.numbers.find("uniaxial_strain"); strain != scene.numbers.end())
     return fmt::format("strain {}\u00a0%", tick_label(100 * strain->second, 0.1));
   if (const auto x = scene.numbers.find("sliding_x"); x != scene.numbers.end())
@@ -100,6 +123,7 @@ class RunScenes {
     if (run_.experiment() == "friction") scene.walls = Walls{};  // springs hold the pair, in the open
     if (run_.experiment() == "slump")
       scene.walls = Walls{true, scene.box.length[flow] <= info_.box.length[flow], true, false};
+    if (run_.experiment() == plate_experiment) scene.walls = Walls{false, false, true, true};
     return scene;
   }
 
@@ -117,6 +141,7 @@ class RunScenes {
     options.title = title_of(run_, scene);
     options.scalar = scalar_of(scene);
     span_.give(options.scalar);
+    options.marked = touching_plates<2>(run_, info_, scene.position, scene.box.length[gradient]);
     draw_snapshot(path, scene, options);
   }
 
@@ -187,11 +212,29 @@ class RunSolids {
     if (solid.frame.time == 0)
       options.title = packing_title(run_, number("packing_fraction"), number("pressure"));
     options.scalar = scalar_of(solid);
+    if (options.title.empty()) options.title = plates_title(run_, solid.frame.numbers);
     span_.give(options.scalar);
-    draw_solid_snapshot(path, solid.scene, options);
+    const std::vector<std::int32_t> marked =
+        touching_plates<3>(run_, info_, solid.frame.position, solid.frame.length[2]);
+    if (marked.empty() || options.color.empty()) return draw_solid_snapshot(path, solid.scene, options);
+    draw_solid_snapshot(path, with_marks(solid, marked), with_color_of_marks(options));
   }
 
  private:
+  /// The same with a sphere on each marked site, wider than the site, which its surface hides.
+  SolidScene with_marks(const Solid& solid, const std::vector<std::int32_t>& marked) const {
+    SolidScene scene = solid.scene;
+    const auto body = static_cast<std::int32_t>(scene.particle.size());
+    scene.particle.push_back(scene.particles++);
+    for (const std::int32_t i : marked)
+      scene.sphere.push_back({solid.frame.position[i], 1.2 * info_.radius[i], body});
+    return scene;
+  }
+  static SolidSnapshotOptions with_color_of_marks(SolidSnapshotOptions options) {
+    options.color.push_back(mark_color);
+    return options;
+  }
+
   std::optional<BodyScalar> scalar_of(const Solid& solid) const {
     const auto values = solid.frame.body.find(color_);
     if (values == solid.frame.body.end()) return {};
