@@ -16,7 +16,9 @@ const std::vector<Experiment>& experiments() {
                                            jamming(),
                                            compression(),
                                            uniaxial_compression(),
-                                           slump()};
+                                           plate_compression(),
+                                           slump(),
+                                           friction()};
   return all;
 }
 

@@ -147,7 +147,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Family{"shell", "shell", "rough"}, Family{"floppy_104", "floppy", "rough", 1.04},
                       Family{"floppy_115", "floppy", "rough", 1.15}, Family{"droplet", "droplet", "rough"},
                       Family{"smooth_shell", "shell", "smooth"},
-                      Family{"smooth_droplet", "droplet", "smooth"}, Family{"disc", "disc", "rough"},
+                      Family{"smooth_droplet", "droplet", "smooth"}, Family{"network", "network", "rough"},
+                      Family{"elastic", "elastic", "rough"}, Family{"smooth_network", "network", "smooth"},
+                      Family{"smooth_elastic", "elastic", "smooth"}, Family{"disc", "disc", "rough"},
                       Family{"rough_disc", "rough_disc", "rough"}, Family{"mixed", "shell", "rough", 0, 4, 2},
                       Family{"mixed_smooth", "shell", "smooth", 0, 4}),
     [](const auto& given) { return std::string(given.param.name); });

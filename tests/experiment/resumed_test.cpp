@@ -149,12 +149,29 @@ const Named cases[] = {
          loose},
     {"compression_in_3d", "experiment = \"compression\"\n[bodies]\ndim = 3\nN = 16\nfamily = \"sphere\"\n" +
                               loose + "[compression]\nhighest_pressure = 1e-2\nper_decade = 2\n"},
+    {"jam_of_solids",
+     "experiment = \"jamming\"\n[[species]]\nfamily = \"network\"\nN = 4\nvertices = 30\n[[species]]\nfamily "
+     "= \"elastic\"\nN = 4\nvertices = 10\n" +
+         loose},
     {"uniaxial_compression",
      "experiment = \"uniaxial_compression\"\n[bodies]\nN = 6\nvertices = "
      "8\n[uniaxial]\nstrain = 0.1\nstep = 0.01\npressure = 1e-3\n"},
+    {"plate_compression",
+     "experiment = \"plate_compression\"\n[bodies]\nvertices = 12\n[plates]\nstrain = 0.1\nsteps = "
+     "8\n[output]\nframes = 5\n"},
+    {"plate_compression_in_3d",
+     "experiment = \"plate_compression\"\n[bodies]\ndim = 3\nvertices = 12\nfamily = "
+     "\"droplet\"\n[plates]\nfirst = 1e-3\nsteps = 6\n"},
     {"slump",
      "experiment = \"slump\"\n[bodies]\nN = 6\nvertices = 8\n[slump]\nsettle_time = 15\nspread_time "
      "= 12\n"},
+    {"friction",
+     "experiment = \"friction\"\n[bodies]\nfamily = \"floppy\"\nvertices = 8\nA0 = 1.15\n[sliding]\noverlap "
+     "= "
+     "1.5\nstep = 0.05\npath = \"cyclic\"\nnoise = 0.1\n[output]\nframes = 6\n"},
+    {"friction_by_damped_motion",
+     "experiment = \"friction\"\n[bodies]\nvertices = 8\n[sliding]\nfrom = -0.03\nto = 0.05\nrelaxation = "
+     "\"dynamics\"\nrest = 1e-12\n[output]\nframes = 3\n"},
 };
 
 /// Calls `test` with Dim, as Dimensions<Dim>.

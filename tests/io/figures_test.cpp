@@ -69,6 +69,22 @@ TEST_F(FigureOfBodies, UniaxialCompressionShowsForceAgainstStrain) {
   EXPECT_GT(count_of(svg, "stroke:rgb(" + std::string(blue) + ")"), 1);
 }
 
+/// Loading as points, unloading as a line, two guides; without unloading no line of it.
+TEST_F(FigureOfBodies, PlatesShowForceAgainstCompressionWithGuides) {
+  const Case c = testing::body_case("plate_compression");
+  const std::vector<Column> columns{{"compression", "", ""}, {"force", "k_a a0 D", ""}, {"branch", "", ""}};
+  const FigureOfBodies::Rows down{{0, 0, 1}, {1e-3, 1e-4, 1}, {1e-2, 1e-3, 1}, {1e-1, 2e-2, 1}};
+  FigureOfBodies::Rows both = down;
+  both.insert(both.end(), {{1e-2, 5e-4, -1}, {1e-3, 0, -1}, {1e-4, 1e-5, -1}});
+  const std::string loading = figure(c, "plates", columns, down), svg = figure(c, "plates", columns, both);
+  EXPECT_EQ(points(loading, blue), 3 + 1);  // one is at compression 0; the legend has one more
+  EXPECT_EQ(points(svg, blue), 3 + 1);
+  EXPECT_EQ(count_of(loading, "stroke-dasharray"), 1 + 1);
+  const std::string line = "stroke:rgb(" + std::string(red) + ")";
+  EXPECT_EQ(count_of(loading, line), 0);
+  EXPECT_EQ(count_of(svg, line), 1 + 1);
+}
+
 TEST_F(FigureOfBodies, MotionsShowEnergiesAndTheHeap) {
   const std::vector<Column> columns{
       {"time", "", ""},         {"potential_energy", "", ""}, {"kinetic_energy", "", ""},
@@ -98,6 +114,7 @@ TEST(FigureSubject, NamesTheFile) {
   EXPECT_EQ(subject_of(testing::body_case("jamming")), "pressure");
   EXPECT_EQ(subject_of(testing::body_case("slump")), "energy");
   EXPECT_EQ(subject_of(testing::body_case("uniaxial_compression")), "force");
+  EXPECT_EQ(subject_of(testing::body_case("plate_compression")), "force");
 }
 
 }  // namespace

@@ -40,11 +40,17 @@ void expect_same(const System<Dim>& a, const System<Dim>& b) {
   EXPECT_EQ(a.topology.hinge_begin, b.topology.hinge_begin);
   EXPECT_EQ(a.topology.facet, b.topology.facet);
   EXPECT_EQ(a.topology.hinge, b.topology.hinge);
-  EXPECT_EQ(a.topology.bond, b.topology.bond);
   EXPECT_TRUE(same_bits(a.shape.stiffness, b.shape.stiffness));
   EXPECT_TRUE(same_bits(a.shape.rest_volume, b.shape.rest_volume));
   EXPECT_TRUE(same_bits(a.shape.rest_facet, b.shape.rest_facet));
   EXPECT_TRUE(same_bits(a.shape.rest_hinge, b.shape.rest_hinge));
+  EXPECT_EQ(a.solid.bond_begin, b.solid.bond_begin);
+  EXPECT_EQ(a.solid.element_begin, b.solid.element_begin);
+  EXPECT_EQ(a.solid.bond, b.solid.bond);
+  EXPECT_EQ(a.solid.element, b.solid.element);
+  EXPECT_TRUE(same_bits(a.solid.stiffness, b.solid.stiffness));
+  EXPECT_TRUE(same_bits(a.solid.rest_bond, b.solid.rest_bond));
+  EXPECT_TRUE(same_bits(a.solid.rest_element, b.solid.rest_element));
   ASSERT_EQ(a.terms.size(), b.terms.size());
   for (std::size_t k = 0; k < a.terms.size(); ++k) {
     EXPECT_EQ(a.terms[k].name, b.terms[k].name);

@@ -11,6 +11,7 @@
 #include "tests/io/sample_run.hpp"
 #include "tests/io/temporary_folder.hpp"
 #include "tests/support/polygons.hpp"
+#include "tests/support/solids.hpp"
 
 namespace supple {
 namespace {
@@ -30,7 +31,6 @@ System<3> sample_system_3d() {
   system.topology.facet_begin = {0, 4, 4};
   system.topology.hinge = {{0, 1, 2, 3}, {1, 2, 3, 0}};
   system.topology.hinge_begin = {0, 2, 2};
-  system.topology.bond = {{0, 4}};
   system.shape.stiffness = {{1 / 3., 1 / 7., 1 / 11., 1 / 13.}, {}};
   system.shape.rest_volume = {1 / 6., 0};
   system.shape.rest_facet = {1 / 2., 1 / 3., 1 / 5., 1 / 7.};
@@ -100,6 +100,30 @@ TEST_F(SystemArchive, RefusesContactsAndLinksOfNothing) {
   EXPECT_THAT(error([](auto& s) { s.touches.rows[1].key.other = 9; }),
               HasSubstr("a contact of sites that do not"));
   EXPECT_THAT(error([](auto& s) { s.touches.rows[0].key.site = 7; }), HasSubstr("not in order"));
+}
+
+TEST_F(SystemArchive, SolidsComeBackBitForBit) {
+  expect_same(read_system<2>(written(solids_among_others())), solids_among_others());
+  expect_same(read_system<3>(written(solids_among_others_in_3d())), solids_among_others_in_3d());
+  EXPECT_FALSE(written(random_polygons()).has("solid"));
+}
+
+TEST_F(SystemArchive, DamageOfSolidsIsRefused) {
+  const auto error_after_damage = [&](auto&& damage) {
+    System<2> system = solids_among_others();
+    damage(system.solid);
+    return file_error_of([&] { read_system<2>(written(system)); });
+  };
+  using S = Solid<2>;
+  EXPECT_THAT(error_after_damage([](S& s) { s.bond[3][1] = 30; }), HasSubstr("bonds and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](S& s) { s.rest_bond.pop_back(); }),
+              HasSubstr("bonds and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](S& s) { s.element[2][0] = -1; }),
+              HasSubstr("elements and bodies disagree"));
+  EXPECT_THAT(error_after_damage([](S& s) { s.element_begin.pop_back(); }), HasSubstr("differ in number"));
+  EXPECT_THAT(error_after_damage([](S& s) { s.stiffness.pop_back(); }), HasSubstr("differ in number"));
+  EXPECT_THAT(error_after_damage([](S& s) { std::swap(s.rest_element[0].e[0], s.rest_element[0].e[1]); }),
+              HasSubstr("no area"));
 }
 
 System<2> with_rigid_bodies() {
@@ -249,7 +273,7 @@ TEST_F(SystemArchive, DamageIsRefused) {
               }),
               HasSubstr("perimeter and bodies disagree"));
   EXPECT_THAT(error_after([](S& s) { s.shape.stiffness.pop_back(); }),
-              HasSubstr("shapes and bodies disagree"));
+              HasSubstr("stiffnesses and bodies differ in number"));
   EXPECT_THAT(error_after([](S& s) { s.topology.hinge_begin.clear(); }), HasSubstr("no boundary"));
   EXPECT_THAT(error_after([](S& s) { s.floor_contact = {1}; }), HasSubstr("differ in length"));
 }

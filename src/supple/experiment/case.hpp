@@ -144,13 +144,33 @@ struct Uniaxial {
   double strain = 0.2, step = 0.002, packing_fraction = 0.6, pressure = 1e-3, aspect_ratio = 1;
 };
 
+struct PlateCompression {
+  double strain = 0.1, first = 1e-4;
+  int steps = 60;
+  std::string spacing = "logarithmic", orientation = "flat";
+  bool decompress = true;
+  double fit_from = 0, fit_to = 0, window = 0.5;
+};
+
 struct Slump {
   double gravity = 2e-4, width = 10, drop_spacing = 1.05;
   double settle_time = 150, spread_time = 500, rest = 1e-8;  ///< times in sqrt(1/gravity)
 };
 
+/// Two particles, one of which slides over the other.
+struct Sliding {
+  double overlap = 0.05, centre_distance = 0;  ///< centre_distance [R]; 0: from overlap [sigma]
+  double from = 0, to = 0, step = 0.016;       ///< [D]; from = to = 0: from before to after all contacts
+  std::string path = "forward", relaxation = "minimise";
+  int cycles = 1;
+  double noise = 0, tether_stiffness = 100;  ///< [sigma], [k_c]
+  double least_force = 1e-6;                 ///< [k_c sigma]
+  double rest = 1e-20;                       ///< [k_c sigma^2]
+  std::int64_t most_steps = 2'000'000;
+};
+
 struct Motion {
-  double damping = 0, kinetic_energy = 0;  ///< damping of `slump`: see resolve_family
+  double damping = 0, kinetic_energy = 0;  ///< damping of `slump` and `friction`: see their rows
 };
 
 struct Output {
@@ -187,11 +207,13 @@ struct Case {
   Compression compression;
   Uniaxial uniaxial;
   Slump slump;
+  Sliding sliding;
   Motion motion;
   Initial initial;
   Output output;
   std::set<std::string> given;
   std::string origin;
+  PlateCompression plates;
 
   bool is_given(const std::string& key) const { return given.count(key) > 0; }
 };
@@ -229,7 +251,11 @@ const Fields<Compression>& fields();
 template <>
 const Fields<Uniaxial>& fields();
 template <>
+const Fields<PlateCompression>& fields();
+template <>
 const Fields<Slump>& fields();
+template <>
+const Fields<Sliding>& fields();
 template <>
 const Fields<Motion>& fields();
 template <>
@@ -274,7 +300,9 @@ void for_each_section(AnyCase& c, Visit&& visit) {
   visit("jamming", c.jamming);
   visit("compression", c.compression);
   visit("uniaxial", c.uniaxial);
+  visit("plates", c.plates);
   visit("slump", c.slump);
+  visit("sliding", c.sliding);
   visit("motion", c.motion);
   visit("initial", c.initial);
   visit("output", c.output);

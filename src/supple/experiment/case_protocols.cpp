@@ -108,6 +108,50 @@ const Fields<Uniaxial>& fields() {
 }
 
 template <>
+const Fields<PlateCompression>& fields() {
+  using P = PlateCompression;
+  static const Fields<P> f{
+      {"strain",
+       &P::strain,
+       "",
+       "largest compression: how much nearer the plates come, over their distance at first touch",
+       {0, 0.9, true, false}},
+      {"steps",
+       &P::steps,
+       "",
+       "of the upper plate on its way down, each with a minimisation",
+       {1, 1e6, false, false}},
+      {"spacing",
+       &P::spacing,
+       "",
+       "of the compressions: logarithmic from plates.first on, or linear",
+       any_value,
+       {"logarithmic", "linear"}},
+      {"first", &P::first, "", "least compression of logarithmic steps", {0, 0.9, true, false}},
+      {"decompress", &P::decompress, "", "also move the plate up again through the same compressions"},
+      {"orientation",
+       &P::orientation,
+       "",
+       "what of the particle faces the lower plate: its first edge (3D: triangle), its first vertex, or what "
+       "does as it is made, turned at random by the seed; a state stays as it is",
+       any_value,
+       {"flat", "corner", "as_made"}},
+      {"fit_from", &P::fit_from, "",
+       "least compression of the fitted exponent; 0: where five vertices touch each plate, or a decade below "
+       "plates.fit_to where that is less",
+       not_negative},
+      {"fit_to", &P::fit_to, "", "largest compression of the fitted exponent; 0: plates.strain",
+       not_negative},
+      {"window",
+       &P::window,
+       "decades",
+       "of compression over which each local exponent is fitted",
+       {0.05, 5, false, false}},
+  };
+  return f;
+}
+
+template <>
 const Fields<Slump>& fields() {
   using S = Slump;
   static const Fields<S> f{
@@ -125,13 +169,60 @@ const Fields<Slump>& fields() {
 }
 
 template <>
+const Fields<Sliding>& fields() {
+  using S = Sliding;
+  static const Fields<S> f{
+      {"overlap", &S::overlap, "sigma",
+       "how far below the height at which the upper particle would first touch the lower one at x = 0, in "
+       "the "
+       "shapes that they start with: rough, its lowest vertex both vertices of the groove; smooth, the flat "
+       "edge"},
+      {"centre_distance", &S::centre_distance, "R",
+       "height of the upper centre over the lower one at the start, over the radius of the circle through "
+       "the vertices of the lower, regular one; 0: from overlap",
+       not_negative},
+      {"from", &S::from, "D",
+       "x where the upper particle starts, over the width of the lower one; from = to = 0: before the first "
+       "contact"},
+      {"to", &S::to, "D", "x where it ends; from = to = 0: after the last contact"},
+      {"step", &S::step, "D", "between two relaxations", {0, 1, true, false}},
+      {"path",
+       &S::path,
+       "",
+       "from left to right, from right to left, or there and back again",
+       any_value,
+       {"forward", "backward", "cyclic"}},
+      {"cycles", &S::cycles, "", "how often there and back again", {1, 1e4}},
+      {"relaxation",
+       &S::relaxation,
+       "",
+       "after each step: minimisation of the energy, or motion with drag until it has died down",
+       any_value,
+       {"minimise", "dynamics"}},
+      {"rest", &S::rest, "k_c sigma^2", "kinetic energy below which motion has died down", positive},
+      {"most_steps", &S::most_steps, "", "time steps of one relaxation before it gives up", at_least_one},
+      {"noise", &S::noise, "sigma",
+       "largest displacement of the vertices, each for itself, along x and along y, before the particles "
+       "relax alone into the shapes that they start with",
+       not_negative},
+      {"least_force", &S::least_force, "k_c sigma",
+       "results leave places out where the force between the two is smaller: floppy particles make way until "
+       "hardly any is left",
+       not_negative},
+      {"tether_stiffness", &S::tether_stiffness, "k_c", "stiffness of the springs that hold vertices",
+       positive},
+  };
+  return f;
+}
+
+template <>
 const Fields<Motion>& fields() {
   using M = Motion;
   static const Fields<M> f{
       {"damping",
        &M::damping,
        "1/time",
-       "drag -m damping v on every vertex; slump: sqrt(gravity) unless given",
+       "drag -m damping v on every vertex; slump: sqrt(gravity) unless given; friction: sqrt(k_c/m)",
        not_negative,
        {},
        Role::law},

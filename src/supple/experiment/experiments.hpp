@@ -21,7 +21,9 @@ enum class Figure {
   search,    ///< pressure against packing fraction near the end of the search for the jammed state
   branches,  ///< the same along a compression and on the way back, with the fitted lines
   wall,      ///< force on the wall and contacts against strain
-  motion     ///< energies against time, and the pressure or the reach of a heap
+  plates,    ///< force of plates on a particle against their compression, on logarithmic axes
+  motion,    ///< energies against time, and the pressure or the reach of a heap
+  friction   ///< effective friction of two particles against their displacement, over pictures of them
 };
 template <Figure figure>
 Figure always(const Case&) {
@@ -94,6 +96,8 @@ Experiment body_dynamics();
 Experiment jamming();
 Experiment compression();
 Experiment uniaxial_compression();
+Experiment plate_compression();
 Experiment slump();
+Experiment friction();
 
 }  // namespace supple

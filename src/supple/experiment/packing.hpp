@@ -144,8 +144,8 @@ void require_going_on(Packing<Dim>& packing, const MinimiseReport& report);
 
 /// A lower bound [energy] of the energy U of an equilibrium at this pressure P [pressure_unit] with the
 /// present contacts. The inequality of Cauchy and Schwarz gives 2 P A = sum f r <= sqrt(2 U K) with K = sum k
-/// r^2 over all springs, A the area of the cell. 0 where line tension makes pressure without energy, and
-/// where contacts are not harmonic.
+/// r^2 over all springs, A the area of the cell. 0 where line tension makes pressure without energy, with
+/// elastic elements, and where contacts are not harmonic.
 template <int Dim>
 double least_energy(Packing<Dim>& packing, double pressure);
 

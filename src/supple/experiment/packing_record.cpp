@@ -8,6 +8,7 @@
 #include "supple/experiment/frame.hpp"
 #include "supple/experiment/sound_states.hpp"
 #include "supple/force/shape_terms.hpp"
+#include "supple/force/solid_terms.hpp"
 #include "supple/model/body_links.hpp"
 #include "supple/observe/rattlers.hpp"
 #include "supple/observe/summary.hpp"
@@ -190,6 +191,9 @@ void record_energies(const System<3>& system, Recorder& recorder) {
   std::map<std::string, double> energies;  // a term whose stiffness is zero is no term
   for (const auto& [term, energy] : shape_terms(system).energies(system)) energies[term] = energy;
   for (const auto& [term, column] : columns) recorder.value("results", column, energies[term]);
+  if (!system.solid.empty())
+    recorder.value("results", {"energy_solid", "", "energy of springs and elements inside particles"},
+                   SolidTerms<3>().energy(system));
 }
 
 }  // namespace

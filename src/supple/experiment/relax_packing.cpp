@@ -70,6 +70,13 @@ double least_energy(Packing<Dim>& packing, double pressure) {
     for (int f = system.topology.facet_begin[b]; f < system.topology.facet_begin[b + 1]; ++f)
       sum += (Dim - 1) * (Dim - 1) * k.facet * system.shape.rest_facet[f] * system.shape.rest_facet[f];
   }
+  const Solid<Dim>& solid = system.solid;
+  for (int b = 0; !packing.contact_pressure && b < solid.bodies(); ++b) {
+    const SolidStiffness& k = solid.stiffness[b];
+    if (k.lambda != 0 || k.mu != 0) return 0;  // no sum of springs
+    for (std::int32_t n = solid.bond_begin[b]; n < solid.bond_begin[b + 1]; ++n)
+      sum += k.bond * solid.rest_bond[n] * solid.rest_bond[n];
+  }
   const double virial = Dim * pressure * packing.pressure_unit * system.box.volume();
   return sum > 0 ? virial * virial / (2 * sum) : 0;
 }

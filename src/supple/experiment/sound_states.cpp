@@ -36,9 +36,14 @@ Soundness LastGood<Dim>::look() {
     good_ = packing_.system;
     return soundness;
   }
+  go_back();
+  throw unsound_error(soundness);
+}
+
+template <int Dim>
+void LastGood<Dim>::go_back() {
   packing_.system = good_;
   packing_.field->invalidate();
-  throw unsound_error(soundness);
 }
 
 template Soundness look_at(const Packing<2>&);

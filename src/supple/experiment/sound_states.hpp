@@ -38,6 +38,9 @@ class LastGood {
   /// good state and throws unsound_error.
   Soundness look();
 
+  /// Puts the packing back to the last good state.
+  void go_back();
+
   void keep(Keeper& k) { k("good", good_); }
 
  private:

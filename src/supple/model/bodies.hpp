@@ -18,6 +18,11 @@ double outer_radius(const System<Dim>& system, int b);
 template <int Dim>
 void move_body(System<Dim>& system, int b, const Vec<Dim>& move);
 
+/// Turns body b, rigid or not, by an angle (3D: a rotation vector) [radian], about its centre of mass where
+/// it is rigid, else about body_centre().
+template <int Dim>
+void turn_body(System<Dim>& system, int b, const Angular<Dim>& by);
+
 /// Multiplies the lengths of the cell by `factor`, by direction; bodies move with their centres and keep
 /// their shapes.
 template <int Dim>

@@ -24,7 +24,8 @@ struct SceneArray {
 
 /// Sites [begin[b], begin[b+1]) form body b, as in Topology. One site is a disc or sphere. In 2D, three or
 /// more are the vertices of a polygon, anticlockwise; in 3D, they are the vertices of a closed surface, of
-/// which `facet` holds the triangles. In a solid those inside follow. Each body is one connected copy that may stick out of the cell.
+/// which `facet` holds the triangles. In a solid those inside follow. Each body is one connected copy that
+/// may stick out of the cell.
 template <int Dim>
 struct BodyScene {
   Units units = reduced_units();
@@ -35,7 +36,7 @@ struct BodyScene {
   std::vector<double> radius;       ///< of each site: of the disc, or half the diameter of a vertex [length]
   /// Sites of each triangle, counter-clockwise as seen from outside. Empty in 2D.
   std::vector<std::array<std::int32_t, Dim>> facet = {};
-  std::vector<std::int32_t> boundary_sites = {};  ///< of each body, its first ones; empty: all
+  std::vector<std::int32_t> boundary_sites = {};       ///< of each body, its first ones; empty: all
   std::vector<std::array<std::int32_t, 2>> bond = {};  ///< sites of each spring inside a body
   std::vector<SceneArray> of_sites = {}, of_bodies = {};
   std::map<std::string, double> numbers = {};  ///< of all: "pressure", ...
@@ -61,6 +62,11 @@ struct BodyScene {
   bool is_disc(std::int32_t b) const { return body(b).second - body(b).first == 1; }
 
  protected:
+  template <class T>
+  std::span<const T> of_body(const std::vector<T>& values, std::int32_t b) const {
+    const auto [first, last] = body(b);
+    return {values.begin() + first, values.begin() + last};
+  }
   template <class T>
   std::span<const T> of_boundary(const std::vector<T>& values, std::int32_t b) const {
     const auto [first, last] = boundary_of(b);

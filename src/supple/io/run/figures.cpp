@@ -103,6 +103,59 @@ void plot_uniaxial(const std::string& path, const RunFile& run) {
                     300});
 }
 
+/// Points of the rows of one branch that logarithmic axes can show.
+ChartSeries branch_of_plates(const RunFile& run, const std::string& table, const std::string& column,
+                             double branch) {
+  const std::vector<double> x = run.column(table, "compression"), y = run.column(table, column),
+                            sign = run.column(table, "branch");
+  ChartSeries series{branch > 0 ? "loading" : "unloading", {}, {}};
+  series.color = line_palette[branch > 0 ? 0 : 1];
+  // Both branches mostly lie on each other: points are seen beside a line.
+  series.marks = branch > 0 ? Marks::points : Marks::line;
+  series.width = branch > 0 ? 1.6 : 0.9;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (sign[k] == branch && x[k] > 0 && y[k] > 0) {
+      series.x.push_back(x[k]);
+      series.y.push_back(y[k]);
+    }
+  return series;
+}
+
+/// A thin line of this slope below the points, to half of the last of them.
+ChartSeries slope_guide(const ChartSeries& points, double slope, const std::vector<double>& dash) {
+  ChartSeries guide{fmt::format("slope {}", slope), {}, {}, {}, gray, Marks::line, 0.5, dash};
+  if (points.x.empty()) return guide;
+  const auto [low, high] = std::minmax_element(points.x.begin(), points.x.end());
+  const double last = points.y[static_cast<std::size_t>(high - points.x.begin())];
+  for (const double x : {*low, *high}) {
+    guide.x.push_back(x);
+    guide.y.push_back(0.5 * last * std::pow(x / *high, slope));
+  }
+  return guide;
+}
+
+/// Force and, where the run found them, local exponents against compression.
+void plot_plates(const std::string& path, const RunFile& run) {
+  const ChartAxis x{"Compression \u03b4/D", "", {}, Spacing::logarithmic};
+  const ChartSeries down = branch_of_plates(run, "plates", "force", 1),
+                    up = branch_of_plates(run, "plates", "force", -1);
+  ChartPanel force{x, {"Force", unit_of(run, "plates", "force"), {}, Spacing::logarithmic}, {}};
+  force.series = {slope_guide(down, 1, {}), slope_guide(down, 1.5, {3, 2}), up, down};
+  if (up.x.empty()) force.series.erase(force.series.begin() + 2);
+  force.weight = 1.6;
+  ChartColumn column{{force}, 1};
+  if (run.has_table("local_exponents") && run.rows("local_exponents") > 1) {
+    ChartPanel exponent{x, {"Local exponent", ""}, {}};
+    for (const double branch : {-1, 1}) {
+      ChartSeries series = branch_of_plates(run, "local_exponents", "exponent", branch);
+      series.label.clear();
+      if (!series.x.empty()) exponent.series.push_back(std::move(series));
+    }
+    if (!exponent.series.empty()) column.panels.push_back(std::move(exponent));
+  }
+  draw_chart(path, {{column}, 300, 330});
+}
+
 void plot_motion(const std::string& path, const RunFile& run) {
   const ChartAxis time{"Time", ""};
   const auto panel = [&](const ChartAxis& y,
@@ -132,6 +185,7 @@ constexpr Drawing drawings[] = {{Figure::stress, "stress", nullptr, draw_run_plo
                                 {Figure::search, "pressure", "packing", plot_jamming},
                                 {Figure::branches, "pressure", "packing", plot_compression},
                                 {Figure::wall, "force", "packing", plot_uniaxial},
+                                {Figure::plates, "force", "plates", plot_plates},
                                 {Figure::motion, "energy", "motion", plot_motion}};
 
 const Drawing* find_drawing(Figure figure) {

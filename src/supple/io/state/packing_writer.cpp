@@ -132,6 +132,7 @@ void write_shape(const System<3>& system, int b, Json& particle) {
 
 template <int Dim>
 Json particle_json(const System<Dim>& system, int b) {
+  if (system.solid.fills(b)) refuse("the layout has no solids; go on from the run itself, by initial.state");
   const int begin = system.topology.body_begin(b), end = system.topology.body_end(b);
   for (int i = begin + 1; i < end; ++i)
     if (system.state.radius[i] != system.state.radius[begin])
