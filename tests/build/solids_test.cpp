@@ -160,6 +160,24 @@ TEST(NetworkBall, IsAClosedSurfaceFilledEvenly) {
   }
 }
 
+TEST(NetworkBall, HasElementsOfOneSizeOfWhichFewAreFlat) {
+  const SolidMesh<3> ball = network_ball(500, 1, 7, 18);
+  const auto count = static_cast<double>(ball.element.size());
+  double flat = 0, spread = 0;
+  for (std::size_t e = 0; e < ball.element.size(); ++e) {
+    const double volume = element_volume(ball, e);
+    double longest = 0;
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < a; ++b)
+        longest = std::max(longest, distance(ball, {ball.element[e][a], ball.element[e][b]}));
+    // A regular tetrahedron has the volume longest^3/(6 sqrt 2).
+    flat += volume * 6 * std::numbers::sqrt2 < 0.2 * std::pow(longest, 3);
+    spread += std::pow(volume * count - 1, 2);
+  }
+  EXPECT_LT(flat, 0.03 * count);
+  EXPECT_LT(std::sqrt(spread / count), 0.3);
+}
+
 TEST(Networks, RepeatFromTheirSeedAndDifferFromOthers) {
   const SolidMesh<2> disc = network_disc(100, 1, 5), again = network_disc(100, 1, 5),
                      other = network_disc(100, 1, 6);

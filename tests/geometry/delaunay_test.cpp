@@ -135,6 +135,8 @@ TEST(Delaunay, RefusesWhatFillsNothing) {
               testing::HasSubstr("in one plane"));
   EXPECT_THAT(message(std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 0}}),
               testing::HasSubstr("1 and 4 are the same"));
+  EXPECT_THAT(message(std::vector<Vec2>{{0, 0}, {1, 0}, {0, NAN}}),
+              testing::HasSubstr("2 has the coordinate nan"));
 }
 
 }  // namespace

@@ -37,15 +37,15 @@ double boundary_volume(const SolidMesh<Dim>& mesh);
 /// A disordered triangular network that fills a regular polygon, a disc, of this area about the origin. Bonds
 /// are the edges of the Delaunay triangulation of its nodes, elements the triangles. With 1100 nodes, as
 /// published [MacKeith 2025, section 9.3.4], 100 of them are on the boundary and there are 3197 bonds, a
-/// coordination of 5.81. The same nodes, area and seed give the same bits everywhere. Input error for fewer
-/// than 7 nodes or an area that is not positive.
+/// coordination of 5.81. The same nodes, area and seed give the same bits on every machine that has the same
+/// sines and roots. Input error for fewer than 7 nodes or an area that is not positive.
 SolidMesh<2> network_disc(int nodes, double area, std::uint64_t seed);
 
 /// A disordered network that fills a ball of this volume (that of its triangulated surface) about the origin:
 /// nodes spread evenly over the surface and within it, a bond between any two that are nearer than a distance
 /// which gives this coordination [MacKeith 2025, section 9.3.4: 3765 nodes, 43 334 bonds, 23.02]; the edges
 /// of the surface are bonds in any case. Elements are the Delaunay tetrahedra of the nodes; they say whether
-/// the network turned inside out. The same numbers give the same bits everywhere. Input error for fewer than
+/// the network turned inside out. The same numbers give the same bits, as above. Input error for fewer than
 /// 13 nodes, a volume that is not positive, or a coordination that the nodes cannot have.
 SolidMesh<3> network_ball(int nodes, double volume, std::uint64_t seed, double coordination = 23.0194);
 

@@ -119,6 +119,12 @@ class Growing {
   }
 
   void round_points(std::span<const Vec<Dim>> points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int d = 0; d < Dim; ++d)
+        if (!(std::abs(points[i][d]) < 1e300))
+          throw input_error(
+              fmt::format("a triangulation of points of which {} has the coordinate {}", i, points[i][d]),
+              "this is no place");
     Vec<Dim> low, high;
     for (int d = 0; d < Dim && !points.empty(); ++d) {
       const auto by_coordinate = [d](const Vec<Dim>& a, const Vec<Dim>& b) { return a[d] < b[d]; };

@@ -23,7 +23,8 @@ struct DelaunayMesh {
 /// Found by adding one point after the other [Bowyer 1981; Watson 1981], with coordinates rounded to 2^-23 of
 /// the longest side of the box round all points, for which every decision is exact: the same points give the
 /// same triangulation everywhere. With N points in no order this takes a time of N^(1 + 1/Dim) at most.
-/// Input error where all points lie on a line (plane), or two are the same within the rounding.
+/// Input error where all points lie on a line (plane), two are the same within the rounding, or one is not
+/// finite.
 template <int Dim>
 DelaunayMesh<Dim> delaunay(std::span<const Vec<Dim>> points);
 
