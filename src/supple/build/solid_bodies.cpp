@@ -141,8 +141,7 @@ std::optional<ElasticConstants> nominal_constants(const System<Dim>& system, int
   double sum = 0;
   for (std::int32_t n = solid.bond_begin[b]; n < solid.bond_begin[b + 1]; ++n)
     sum += k.bond * solid.rest_bond[n] * solid.rest_bond[n];
-  const double density = sum / system.shape.rest_volume[b];
-  return ElasticConstants{density / (Dim == 2 ? 3 : 6), 1.0 / (Dim + 1)};
+  return affine_constants<Dim>(sum / system.shape.rest_volume[b]);
 }
 
 #define SUPPLE_SOLID(Dim)                                                                 \

@@ -10,6 +10,7 @@
 
 #include "supple/core/error.hpp"
 #include "supple/core/random.hpp"
+#include "supple/energy/elastic_constants.hpp"
 #include "supple/geometry/delaunay.hpp"
 #include "supple/geometry/facet.hpp"
 #include "supple/geometry/simplex.hpp"
@@ -284,7 +285,7 @@ double affine_modulus(const SolidMesh<Dim>& mesh, double stiffness) {
     const Vec<Dim> r = mesh.node[static_cast<std::size_t>(j)] - mesh.node[static_cast<std::size_t>(i)];
     sum += stiffness * dot(r, r);
   }
-  return sum / ((Dim == 2 ? 3 : 6) * boundary_volume(mesh));
+  return affine_constants<Dim>(sum / boundary_volume(mesh)).young_modulus;
 }
 
 template double coordination(const SolidMesh<2>&);

@@ -57,8 +57,7 @@ SolidMesh<2> star_mesh(std::span<const Vec2> polygon);
 SolidMesh<3> star_mesh(const TriangleMesh& surface);
 
 /// Young's modulus [energy/length^Dim] of a network whose bonds, all of this stiffness [energy/length^2],
-/// follow a uniform strain and point in all directions alike: E = S/3 in 2D, S/6 in 3D, S = sum k r0^2/V,
-/// with nu = 1/3 and 1/4 [Born and Huang 1954: lambda = mu = S/(Dim (Dim + 2))]. Nodes that relax make a
+/// follow a uniform strain and point in all directions alike: affine_constants. Nodes that relax make a
 /// disordered network softer; the triangular lattice has exactly E = 2 k/sqrt(3), away from its boundary.
 template <int Dim>
 double affine_modulus(const SolidMesh<Dim>& mesh, double stiffness);

@@ -46,4 +46,13 @@ ElasticConstants elastic_constants(const LameConstants& c) {
   return {2 * mu * (1 + nu), nu};
 }
 
+/// The constants of a network of springs that follow a uniform strain and point in all directions alike, by S
+/// = sum k r0^2/V [energy/length^Dim]: lambda = mu = S/(Dim (Dim + 2)) [Born and Huang 1954], so that E = S/3
+/// and nu = 1/3 in 2D, S/6 and 1/4 in 3D. Input error unless S is positive.
+template <int Dim>
+ElasticConstants affine_constants(double springs_per_volume) {
+  const double mu = springs_per_volume / (Dim * (Dim + 2));
+  return elastic_constants<Dim>(LameConstants{mu, mu});
+}
+
 }  // namespace supple
