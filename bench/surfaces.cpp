@@ -91,7 +91,7 @@ struct Memory {
     const State<3>& x = s.state;
     sites = bytes_in(x.position, x.velocity, x.mass, x.radius, x.angle, x.inertia, x.spin, x.mobility);
     const Topology<3>& t = s.topology;
-    meshes = bytes_in(t.begin, t.facet_begin, t.hinge_begin, t.facet, t.hinge, t.bond, s.shape.stiffness,
+    meshes = bytes_in(t.begin, t.facet_begin, t.hinge_begin, t.facet, t.hinge, s.shape.stiffness,
                       s.shape.rest_volume, s.shape.rest_facet, s.shape.rest_hinge);
     const PairTable& p = s.pairs;
     rows = bytes_in(p.begin, p.first, p.second, p.state, p.history, p.image);
