@@ -26,6 +26,7 @@ void complete_family(const Case& c, const std::string& section, ParticleKind& p)
   if (!flat) unless_given("vertices", p.vertices, 42);
   if (p.family == "network") {
     unless_given("vertices", p.vertices, flat ? 80 : 400);
+    if (!flat) unless_given("diameter_ratio", p.diameter_ratio, 1.2);  // its edges differ in length
     if (c.is_given(section + ".E")) unless_given("k_s", p.k_s, 0.0);
   }
   if (p.family == "floppy") {

@@ -174,7 +174,8 @@ Packing<Dim> packing_of(const Case& c, System<Dim> system, Places places) {
   check_tension(system);
   if constexpr (Dim == 3) {
     const bool stays = uses(c, "time.steps") && c.time.steps == 0;  // nothing passes through in no steps
-    if (c.contact.unsound == "stop" && !stays)
+    const bool meet = system.topology.body_count(system.state.size()) > 1;
+    if (c.contact.unsound == "stop" && !stays && meet)
       require_covered_edges(system,
                             c.contact.kind == "smooth" ? least_smooth_diameter : least_rough_diameter);
   }
