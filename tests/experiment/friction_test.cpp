@@ -2,66 +2,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "supple/core/error.hpp"
 #include "supple/experiment/experiments.hpp"
 #include "supple/experiment/sliding_record.hpp"
-#include "supple/io/text/case_file.hpp"
+#include "tests/experiment/sliding.hpp"
 
 namespace supple {
 namespace {
 
+using namespace testing_pairs;
+
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-/// The elastic shells of the chapter: k_l/k_c = 100, k_b/(k_c sigma^2) = 171, k_a a0^2/(k_c sigma^2) = 14.
-/// With relative stiffness k_c sigma^2 is 1 and k_l of the case is k_l l0^2, so 100 (l0/sigma)^2 there.
-const std::string shells =
-    "experiment = \"friction\"\n[bodies]\nvertices = 8\nk_l = 100\nk_b = 171\nk_a = 14\n";
-/// C = R/sigma = 0.71, R = l0/(2 sin(pi/8)).
-const double wide = 1 / (2 * std::sin(std::numbers::pi / 8)) / 0.71;
-
-Case case_of(const std::string& text, const std::vector<std::string>& more = {}) {
-  Case c = read_case_text(text, "case.toml", more);
-  resolve_family(c);
-  experiment_of(c).complete(c);
-  check(c);
-  return c;
-}
-
-std::vector<std::string> wider(std::vector<std::string> more) {
-  more.push_back("bodies.diameter_ratio=" + std::to_string(wide));
-  more.push_back("bodies.k_l=" + std::to_string(100 / (wide * wide)));
-  return more;
-}
-
-MemoryRecorder slide(const Case& c) {
-  MemoryRecorder recorder;
-  run(c, nullptr, recorder);
-  return recorder;
-}
-MemoryRecorder slide_shells(const std::vector<std::string>& more) { return slide(case_of(shells, more)); }
-
-std::string error_of(const Case& c, MemoryRecorder& recorder) {
-  try {
-    run(c, nullptr, recorder);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-std::string refusal(const std::vector<std::string>& more, const std::string& text = shells) {
-  try {
-    case_of(text, more);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
-}
-
-double maximum(const MemoryRecorder& r) { return r.get("results", "friction_max"); }
 
 TEST(Friction, RoughShellsReachTheBoundFromBelow) {
   const std::vector<std::string> fine{"sliding.overlap=1e-4", "sliding.step=5e-4", "sliding.from=-0.01",
@@ -239,30 +195,6 @@ TEST(Friction, GoesForwardBackwardAndInCycles) {
   for (std::size_t k = 4; k < mu.size(); ++k) EXPECT_NEAR(mu[k], mu[k - 4], 1e-6);
 }
 
-/// Floppy particles change their shape for nothing: what they are like depends on where they have been.
-TEST(Friction, FloppyPairsRemember) {
-  const Case c = case_of(
-      "experiment = \"friction\"\n[bodies]\nfamily = \"floppy\"\nvertices = 8\nA0 = 1.15\n"
-      "k_l = 1\nk_a = 14\n[sliding]\noverlap = 1.5\npath = \"cyclic\"\nnoise = 0.1\n");
-  const auto table = slide(c).tables.at("friction");
-  const std::vector<double> mu = table.column("friction"), force = table.column("normal_force");
-  const std::size_t last = mu.size() - 1;
-  double change = 0;
-  for (std::size_t k = 0; k < last / 2; ++k)
-    if (force[k] > 1e-3 && force[last - k] > 1e-3) change = std::max(change, std::abs(mu[k] - mu[last - k]));
-  EXPECT_GT(change, 0.05);
-}
-
-TEST(Friction, NoiseGivesFloppyPairsOtherShapes) {
-  const std::string floppy =
-      "experiment = \"friction\"\n[bodies]\nfamily = \"floppy\"\nvertices = 8\nA0 = 1.15\nk_l = 1\nk_a = 14\n"
-      "[sliding]\nnoise = 0.2\n";
-  const auto first = make_sliding_pair(case_of(floppy)), again = make_sliding_pair(case_of(floppy)),
-             other = make_sliding_pair(case_of(floppy, {"seed=2"}));
-  EXPECT_EQ(first.packing.system.state.position, again.packing.system.state.position);
-  EXPECT_GT(std::abs(first.touch - other.touch), 1e-3);
-}
-
 /// A vertex that comes from below the others is within the other particle before it has left it.
 TEST(Friction, ParticlesWithinEachOtherEndTheRun) {
   MemoryRecorder r;
@@ -274,33 +206,6 @@ TEST(Friction, ParticlesWithinEachOtherEndTheRun) {
   MemoryRecorder marked;
   EXPECT_EQ(error_of(case_of(shells, on), marked), "");
 }
-
-class FrictionOf : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
-
-/// Particles of any family and number of vertices, of two kinds, too.
-TEST_P(FrictionOf, IsZeroInTheMiddleAndAntisymmetric) {
-  const std::string text = GetParam().second;
-  const MemoryRecorder r = slide(case_of("experiment = \"friction\"\n" + text, {"sliding.overlap=0.01"}));
-  const std::vector<double> mu = r.tables.at("friction").column("friction"),
-                            force = r.tables.at("friction").column("normal_force");
-  const std::size_t last = mu.size() - 1;
-  EXPECT_GT(force[last / 2], 0);
-  EXPECT_GT(maximum(r), 0.05);
-  for (std::size_t k = 0; k <= last; ++k) EXPECT_NEAR(mu[k], -mu[last - k], 1e-5) << k;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Particles, FrictionOf,
-    ::testing::Values(std::pair("heptagons", "[bodies]\nvertices = 7\n"),
-                      std::pair("triangles", "[bodies]\nvertices = 3\n"),
-                      std::pair("many_smooth_vertices",
-                                "[bodies]\nvertices = 21\n[contact]\nkind = \"smooth\"\n"),
-                      std::pair("droplets", "[bodies]\nfamily = \"droplet\"\nvertices = 10\n"),
-                      std::pair("rigid", "[bodies]\nfamily = \"rough_disc\"\nvertices = 8\n"),
-                      std::pair("two_kinds",
-                                "[[species]]\nvertices = 9\n[[species]]\nfamily = "
-                                "\"rough_disc\"\nvertices = 8\ndiameter = 1.4\n")),
-    [](const auto& one) { return std::string(one.param.first); });
 
 TEST(Friction, SaysWhereNothingTouches) {
   const MemoryRecorder apart = slide_shells({"sliding.from=-2", "sliding.to=-1.9"});

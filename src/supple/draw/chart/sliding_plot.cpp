@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "supple/draw/canvas/canvas.hpp"
 #include "supple/draw/canvas/ticks.hpp"
 #include "supple/draw/chart/chart.hpp"
+#include "supple/experiment/sliding_pair.hpp"
 
 namespace supple {
 
 namespace {
 
-constexpr double gap = 4, label_height = 22, rim = 0.35;  // [pt]
+constexpr double gap = 4, label_height = 22, title_height = 12, rim = 0.35;  // [pt]
 const Color of_lower = hex(0x99DDFF), of_upper = hex(0xEEDD88), held_below = hex(0x228833),
             held_above = hex(0xEE6677);
 
@@ -28,11 +31,11 @@ Vec2 middle_of(const PicturedRing& ring) {
   return (1 / static_cast<double>(std::max<std::size_t>(ring.vertices.size(), 1))) * sum;
 }
 
-Layout lay_out(const SlidingPlot& plot, double most_height) {
+Layout lay_out(const SlidingRow& row, double page_width, double most_height) {
   Layout layout;
   layout.low = {1e300, 1e300};
   layout.high = {-1e300, -1e300};
-  for (const SlidingPicture& p : plot.pictures)
+  for (const SlidingPicture& p : row.pictures)
     for (const PicturedRing* ring : {&p.lower, &p.upper})
       for (const Vec2& x : ring->vertices)
         for (const int d : {0, 1}) {
@@ -40,7 +43,7 @@ Layout lay_out(const SlidingPlot& plot, double most_height) {
           layout.low[d] = std::min(layout.low[d], at - ring->radius);
           layout.high[d] = std::max(layout.high[d], at + ring->radius);
         }
-  layout.cell = (plot.width - 2 * gap) / static_cast<double>(plot.pictures.size());
+  layout.cell = (page_width - 2 * gap) / static_cast<double>(row.pictures.size());
   const Vec2 size = layout.high - layout.low;
   layout.scale = std::min((layout.cell - gap) / size[0], most_height / size[1]);
   layout.height = layout.scale * size[1];
@@ -78,14 +81,16 @@ struct DrawnPair {
   }
 };
 
-void draw_pictures(Canvas& canvas, const SlidingPlot& plot, const Layout& layout, double top) {
-  for (std::size_t k = 0; k < plot.pictures.size(); ++k) {
-    const SlidingPicture& p = plot.pictures[k];
+void draw_row(Canvas& canvas, const SlidingRow& row, const Layout& layout, double top) {
+  if (!row.label.empty()) canvas.text({gap, top + 8}, row.label, {.weight = Weight::bold});
+  top += row.label.empty() ? 0 : title_height;
+  for (std::size_t k = 0; k < row.pictures.size(); ++k) {
+    const SlidingPicture& p = row.pictures[k];
     const double left = gap + layout.cell * static_cast<double>(k);
     const double width = layout.scale * (layout.high[0] - layout.low[0]);
     const DrawnPair pair{canvas,
                          layout,
-                         plot.outline,
+                         row.outline,
                          middle_of(p.lower),
                          {left + 0.5 * (layout.cell - width), top + label_height}};
     pair.draw(p.lower, of_lower, held_below);
@@ -97,6 +102,10 @@ void draw_pictures(Canvas& canvas, const SlidingPlot& plot, const Layout& layout
   }
 }
 
+double height_of(const SlidingRow& row, const Layout& layout) {
+  return layout.height + label_height + (row.label.empty() ? 0 : title_height) + gap;
+}
+
 ChartPanel panel_of(const SlidingPlot& plot) {
   ChartPanel panel{{"Displacement of the upper particle, x/D", ""}, {"Effective friction \u03bc", ""}, {}};
   double low = 0, high = 0;
@@ -106,20 +115,23 @@ ChartPanel panel_of(const SlidingPlot& plot) {
     series.color = line_palette[panel.series.size() % line_palette.size()];
     panel.series.push_back(std::move(series));
   }
-  if (plot.bound)
+  for (const double bound : plot.bounds)
     for (const double sign : {1.0, -1.0})
-      panel.series.insert(panel.series.begin(),
-                          {sign > 0 ? fmt::format("bound (9.13): {:.4f}", *plot.bound) : "",
-                           {low, high},
-                           {sign * *plot.bound, sign * *plot.bound},
-                           {},
-                           gray,
-                           Marks::line,
-                           0.8,
-                           {4, 2}});
+      panel.series.insert(panel.series.begin(), {sign > 0 ? fmt::format("bound (9.13): {:.4f}", bound) : "",
+                                                 {low, high},
+                                                 {sign * bound, sign * bound},
+                                                 {},
+                                                 gray,
+                                                 Marks::line,
+                                                 0.8,
+                                                 {4, 2}});
   ChartSeries marks{"", {}, {}, {}, ink, Marks::points, 1.8};
-  for (const SlidingPicture& p : plot.pictures) marks.x.push_back(p.x), marks.y.push_back(p.friction);
+  for (const SlidingRow& row : plot.rows)
+    for (const SlidingPicture& p : row.pictures) marks.x.push_back(p.x), marks.y.push_back(p.friction);
   panel.series.push_back(std::move(marks));
+  if (plot.star)
+    panel.series.push_back(
+        {"star", {(*plot.star)[0]}, {(*plot.star)[1]}, {}, line_palette[5], Marks::points, 3});
   return panel;
 }
 
@@ -127,13 +139,51 @@ ChartPanel panel_of(const SlidingPlot& plot) {
 
 void draw_sliding_plot(const std::string& path, const SlidingPlot& plot) {
   Chart chart{{{{panel_of(plot)}, 1}}, plot.width, plot.height};
-  Layout layout;
-  if (!plot.pictures.empty()) {
-    layout = lay_out(plot, 0.5 * plot.height);
-    chart.room_below = layout.height + label_height + gap;
-    chart.below = [&](Canvas& canvas, double top) { draw_pictures(canvas, plot, layout, top); };
+  const double most_height =
+      0.5 * plot.height / static_cast<double>(std::max<std::size_t>(1, plot.rows.size()));
+  std::vector<Layout> layouts;
+  for (const SlidingRow& row : plot.rows) {
+    layouts.push_back(row.pictures.empty() ? Layout{} : lay_out(row, plot.width, most_height));
+    chart.room_below += height_of(row, layouts.back());
   }
+  chart.below = [&](Canvas& canvas, double top) {
+    for (std::size_t k = 0; k < layouts.size(); ++k) {
+      draw_row(canvas, plot.rows[k], layouts[k], top);
+      top += height_of(plot.rows[k], layouts[k]);
+    }
+  };
   draw_chart(path, chart);
+}
+
+SlidingPicture sliding_picture(const RunInfo<2>& info, const Frame<2>& frame) {
+  const auto ring = [&](std::size_t b) {
+    const std::int32_t begin = info.body_begin[b], end = info.body_begin[b + 1];
+    return PicturedRing{{frame.position.begin() + begin, frame.position.begin() + end},
+                        info.radius[static_cast<std::size_t>(begin)],
+                        held_vertices(end - begin, b == 1)};
+  };
+  const bool touches = !frame.contacts.empty();
+  return {frame.numbers.at("sliding_x"),
+          touches ? frame.numbers.at("friction") : std::numeric_limits<double>::quiet_NaN(), ring(0),
+          ring(1)};
+}
+
+std::vector<SlidingPicture> seven_of(const std::vector<SlidingPicture>& all) {
+  constexpr int wanted = 7;
+  double begin = std::numeric_limits<double>::infinity(), end = -begin;
+  for (const SlidingPicture& p : all)
+    if (std::isfinite(p.friction)) begin = std::min(begin, p.x), end = std::max(end, p.x);
+  if (begin > end) return {};
+  const double beyond = 0.1 * (end - begin);
+  std::vector<SlidingPicture> chosen;
+  for (int k = 0; k < wanted; ++k) {
+    const double at = begin - beyond + (end - begin + 2 * beyond) * k / (wanted - 1);
+    const auto nearest = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.x - at) < std::abs(b.x - at);
+    });
+    if (chosen.empty() || chosen.back().x != nearest->x) chosen.push_back(*nearest);
+  }
+  return chosen;
 }
 
 }  // namespace supple

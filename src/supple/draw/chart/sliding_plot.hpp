@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "supple/core/vec.hpp"
+#include "supple/model/frame.hpp"
 #include "supple/observe/body_shapes.hpp"
 
 namespace supple {
@@ -27,13 +28,27 @@ struct SlidingCurve {
   std::vector<double> x, friction;
 };
 
+/// Pictures under the curve, numbered from left to right; all of them have the same scale.
+struct SlidingRow {
+  std::vector<SlidingPicture> pictures;
+  Outline outline = Outline::rough;
+  std::string label = {};  ///< above the pictures; empty: none
+};
+
 struct SlidingPlot {
   std::vector<SlidingCurve> curves;
-  std::optional<double> bound = {};           ///< of the friction, marked on both sides of 0
-  std::vector<SlidingPicture> pictures = {};  ///< numbered from left to right, marked on the curve
-  Outline outline = Outline::rough;
-  double width = 420, height = 300;  ///< [pt]
+  std::vector<double> bounds = {};    ///< of the friction (9.13), marked on both sides of 0
+  std::vector<SlidingRow> rows = {};  ///< the places of their pictures are marked, too
+  std::optional<Vec2> star = {};      ///< a place that is marked: x and friction
+  double width = 420, height = 300;   ///< [pt]
 };
+
+/// The pair of a frame of the experiment `friction`.
+SlidingPicture sliding_picture(const RunInfo<2>& info, const Frame<2>& frame);
+
+/// Seven of these, evenly spaced over the places where the two touch and a little beyond; none where they
+/// never do.
+std::vector<SlidingPicture> seven_of(const std::vector<SlidingPicture>& all);
 
 /// Draws and writes the plot; the ending of `path` chooses png, jpg, svg, pdf or ps. Throws input and file
 /// errors.

@@ -10,7 +10,6 @@
 #include "supple/draw/chart/chart.hpp"
 #include "supple/draw/chart/pressure_plot.hpp"
 #include "supple/draw/chart/sliding_plot.hpp"
-#include "supple/experiment/sliding_pair.hpp"
 #include "supple/io/run/run_pictures.hpp"
 
 namespace supple {
@@ -179,45 +178,15 @@ void plot_motion(const std::string& path, const RunFile& run) {
   draw_chart(path, {{column}, 340, 300});
 }
 
-constexpr double not_touching = std::numeric_limits<double>::quiet_NaN();
-
-/// The pair in a frame.
-SlidingPicture picture_of(const RunInfo<2>& info, const Frame<2>& frame) {
-  const auto ring = [&](std::size_t b) {
-    const std::int32_t begin = info.body_begin[b], end = info.body_begin[b + 1];
-    return PicturedRing{{frame.position.begin() + begin, frame.position.begin() + end},
-                        info.radius[static_cast<std::size_t>(begin)],
-                        held_vertices(end - begin, b == 1)};
-  };
-  return {frame.numbers.at("sliding_x"), frame.contacts.empty() ? not_touching : frame.numbers.at("friction"),
-          ring(0), ring(1)};
-}
-
-/// Seven pictures, evenly spaced over the places of the first way where the two touch and a little beyond.
-std::vector<SlidingPicture> sliding_pictures(const RunFile& run, const SlidingCurve& first_way) {
-  constexpr int pictures = 7;
-  std::vector<std::size_t> touching;
-  for (std::size_t k = 0; k < first_way.x.size(); ++k)
-    if (std::isfinite(first_way.friction[k])) touching.push_back(k);
-  if (touching.empty() || run.frames() == 0) return {};
-  const double begin = first_way.x[touching.front()], end = first_way.x[touching.back()],
-               beyond = 0.1 * (end - begin);
-  std::vector<SlidingPicture> frames;
-  const RunInfo<2> info = run.info();
+/// Pictures of the first way of the upper particle over the lower one, which has so many places.
+SlidingRow pictured_way(const RunFile& run, std::int64_t places) {
   // Frames are evenly spaced over all ways.
-  const auto places = static_cast<std::int64_t>(first_way.x.size());
-  const std::int64_t of_first =
-      1 + (run.frames() - 1) * (places - 1) / std::max<std::int64_t>(1, run.rows("friction") - 1);
-  for (std::int64_t k = 0; k < of_first; ++k) frames.push_back(picture_of(info, run.frame(k)));
-  std::vector<SlidingPicture> chosen;
-  for (int k = 0; k < pictures; ++k) {
-    const double wanted = begin - beyond + (end - begin + 2 * beyond) * k / (pictures - 1);
-    const auto nearest = std::min_element(frames.begin(), frames.end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.x - wanted) < std::abs(b.x - wanted);
-    });
-    if (chosen.empty() || chosen.back().x != nearest->x) chosen.push_back(*nearest);
-  }
-  return chosen;
+  const std::int64_t last = std::max<std::int64_t>(1, run.rows("friction") - 1),
+                     frames = 1 + (run.frames() - 1) * (places - 1) / last;
+  const RunInfo<2> info = run.info();
+  std::vector<SlidingPicture> all;
+  for (std::int64_t k = 0; k < frames; ++k) all.push_back(sliding_picture(info, run.frame(k)));
+  return {seven_of(all), run.resolved_case().contact.kind == "smooth" ? Outline::smooth : Outline::rough};
 }
 
 void plot_friction(const std::string& path, const RunFile& run) {
@@ -226,8 +195,7 @@ void plot_friction(const std::string& path, const RunFile& run) {
                             contacts = run.column("friction", "contacts");
   const Case c = run.resolved_case();
   SlidingPlot plot;
-  plot.bound = run.find_value("constants", "friction_bound");
-  plot.outline = c.contact.kind == "smooth" ? Outline::smooth : Outline::rough;
+  if (const auto bound = run.find_value("constants", "friction_bound")) plot.bounds = {*bound};
   for (std::size_t k = 0; k < x.size(); ++k) {
     const bool turns = k > 0 && leg[k] != leg[k - 1];
     if (k == 0 || turns) {
@@ -237,10 +205,11 @@ void plot_friction(const std::string& path, const RunFile& run) {
     }
     for (const std::size_t at : turns ? std::vector{k - 1, k} : std::vector{k}) {
       plot.curves.back().x.push_back(x[at]);
-      plot.curves.back().friction.push_back(contacts[at] > 0 ? mu[at] : not_touching);
+      plot.curves.back().friction.push_back(contacts[at] > 0 ? mu[at]
+                                                             : std::numeric_limits<double>::quiet_NaN());
     }
   }
-  plot.pictures = sliding_pictures(run, plot.curves.front());
+  plot.rows = {pictured_way(run, static_cast<std::int64_t>(plot.curves.front().x.size()))};
   draw_sliding_plot(path, plot);
 }
 
