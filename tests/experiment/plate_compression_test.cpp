@@ -129,6 +129,18 @@ TEST(PlateCompression, AShellIn2dIsAThinRing) {
   EXPECT_GT(*std::max_element(local.begin(), local.end()), 1.1);
 }
 
+/// Each step begins where the last two lead to, which is near its minimum.
+TEST(PlateCompression, StepsNeedFewEvaluations) {
+  const auto per_step = [](const std::string& text) {
+    const auto r = run_of<2>(text);
+    return r.get("results", "evaluations") / r.get("results", "minimisations");
+  };
+  const std::string plates = "[plates]\nstrain = 0.02\n";
+  EXPECT_LT(per_step(ring + plates), 10);
+  EXPECT_LT(per_step(ring + plates + "[minimise]\nmethod = \"auto\"\n"), 600);
+  EXPECT_EQ(case_of("[bodies]\ndim = 3\nvertices = 642\n").minimise.method, "auto");
+}
+
 /// What the plate does is what the particle stores: by the trapezoidal rule, as fine as the steps are.
 TEST(PlateCompression, TheWorkOfThePlateIsStored) {
   const auto r =
