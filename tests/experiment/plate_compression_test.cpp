@@ -129,6 +129,37 @@ TEST(PlateCompression, AShellIn2dIsAThinRing) {
   EXPECT_GT(*std::max_element(local.begin(), local.end()), 1.1);
 }
 
+TEST(PlateCompression, StandsBetweenTwoPlatesAlone) {
+  const auto p = packing_between_plates<3>(case_of("[bodies]\ndim = 3\n[contact]\nk_p = 5\n"), nullptr, {});
+  using Stands = std::array<std::array<bool, 2>, 3>;
+  EXPECT_EQ(p.field->walls()->stands, (Stands{{{false, false}, {false, false}, {true, true}}}));
+  EXPECT_EQ(p.field->walls()->repulsion.stiffness, 5);
+  EXPECT_EQ(p.system.box.periodic, (std::array{false, false, false}));
+}
+
+/// Where plates yield more than the shell, five vertices touch each over a decade of a force in proportion.
+TEST(PlateCompression, AStiffShellTouchesWithFiveVerticesOverADecade) {
+  const auto r = run_of<2>(
+      "[bodies]\nvertices = 100\nk_a = 14\nk_l = 100\nk_b = 1000\n[plates]\nstrain = 0.5\nsteps = "
+      "74\ndecompress = "
+      "false\n");
+  EXPECT_GE(r.get("results", "fit_nodes"), 5);
+  EXPECT_GT(r.get("results", "fit_to"), 9.9 * r.get("results", "fit_from"));
+  EXPECT_NEAR(r.get("results", "exponent"), 1, 0.05);
+}
+
+/// Each step begins where the last two lead to, which is near its minimum.
+TEST(PlateCompression, StepsNeedFewEvaluations) {
+  const auto per_step = [](const std::string& text) {
+    const auto r = run_of<2>(text);
+    return r.get("results", "evaluations") / r.get("results", "minimisations");
+  };
+  const std::string plates = "[plates]\nstrain = 0.02\n";
+  EXPECT_LT(per_step(ring + plates), 10);
+  EXPECT_LT(per_step(ring + plates + "[minimise]\nmethod = \"auto\"\n"), 600);
+  EXPECT_EQ(case_of("[bodies]\ndim = 3\nvertices = 642\n").minimise.method, "auto");
+}
+
 /// What the plate does is what the particle stores: by the trapezoidal rule, as fine as the steps are.
 TEST(PlateCompression, TheWorkOfThePlateIsStored) {
   const auto r =
