@@ -192,13 +192,13 @@ struct Case {
   Jamming jamming;
   Compression compression;
   Uniaxial uniaxial;
+  PlateCompression plates;
   Slump slump;
   Motion motion;
   Initial initial;
   Output output;
   std::set<std::string> given;
   std::string origin;
-  PlateCompression plates;
 
   bool is_given(const std::string& key) const { return given.count(key) > 0; }
 };
