@@ -206,6 +206,7 @@ struct Case {
   Jamming jamming;
   Compression compression;
   Uniaxial uniaxial;
+  PlateCompression plates;
   Slump slump;
   Sliding sliding;
   Motion motion;
@@ -213,7 +214,6 @@ struct Case {
   Output output;
   std::set<std::string> given;
   std::string origin;
-  PlateCompression plates;
 
   bool is_given(const std::string& key) const { return given.count(key) > 0; }
 };
