@@ -55,6 +55,9 @@ std::string describe_quantities() {
   t.begin("/final_state/shape", "Preferred shapes; the columns of `stiffness` are the first four.");
   t.rows_of<ShapeStiffness>();
   t.rows_of<Shape>();
+  t.begin("/final_state/solid", "Insides of elastic solids; the columns of `stiffness` are the first three.");
+  t.rows_of<SolidStiffness>();
+  t.rows_of<Solid<2>>();
   t.begin("/final_state/rigid", "Rigid particles.");
   t.rows_of<RigidBodies>();
   t.begin("/final_state/acceleration", "What brings velocities to the instant of the next forces.");
