@@ -87,6 +87,19 @@ std::array<std::int32_t, N> from(std::int32_t first, std::array<std::int32_t, N>
   return nodes;
 }
 
+/// The ball that was made last in this thread: one of thousands of nodes takes a second, and is asked for by
+/// its size, its radius and itself.
+SolidMesh<3> ball_of_springs(int nodes, std::uint64_t seed) {
+  struct Made {
+    int nodes = 0;
+    std::uint64_t seed = 0;
+    SolidMesh<3> mesh;
+  };
+  static thread_local Made last;
+  if (last.nodes != nodes || last.seed != seed) last = {nodes, seed, network_ball(nodes, 1, seed)};
+  return last.mesh;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -95,7 +108,7 @@ SolidMesh<Dim> solid_mesh(const SolidSpec& spec, int vertices, std::uint64_t see
     return spec.filling == Filling::network ? network_disc(vertices, 1, seed)
                                             : star_mesh(std::span<const Vec2>(regular_polygon(vertices)));
   else
-    return spec.filling == Filling::network ? network_ball(vertices, 1, seed)
+    return spec.filling == Filling::network ? ball_of_springs(vertices, seed)
                                             : star_mesh(geodesic_icosahedron(vertices));
 }
 
