@@ -58,7 +58,7 @@ void add_solid_particle(const SurfaceKind& kind, int body, const Vec3& centre, s
 TriangleMesh unit_mesh(const SurfaceKind& kind) {
   if (kind.solid) {
     const SolidMesh<3> mesh =
-        solid_mesh<3>(*kind.solid, kind.vertices, network_seed(1, 0));  // all are as wide
+        solid_mesh<3>(*kind.solid, kind.vertices, network_seed(1, 0));  // nearly as wide as others
     return {{mesh.node.begin(), mesh.node.begin() + mesh.boundary}, mesh.facet};
   }
   return is_sphere(kind) ? TriangleMesh{} : geodesic_icosahedron(kind.vertices);
