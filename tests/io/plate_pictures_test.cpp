@@ -1,5 +1,5 @@
 /// Pictures of a particle between plates: what touches them is red.
-#include <cairo.h>
+#include <cairo/cairo.h>
 #include <gmock/gmock.h>
 
 #include <cstdint>
