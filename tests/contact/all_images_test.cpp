@@ -43,7 +43,7 @@ System<2> bodies_anywhere(int bodies, const Vec2& length, double strain, std::ui
   System<2> system;
   system.box.length = length;
   system.box.strain = strain;
-  system.topology.begin = {0};
+  system.topology.begin = system.topology.facet_begin = system.topology.hinge_begin = {0};
   for (int b = 0; b < bodies; ++b) {
     RandomStream draw(seed, Purpose::test, static_cast<std::uint64_t>(b));
     const Vec2 centre{draw.uniform(-3, 4) * length[0], draw.uniform(-3, 4) * length[1]};

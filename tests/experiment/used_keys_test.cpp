@@ -43,6 +43,7 @@ std::vector<Case> every_kind() {
     c.slump.width = 4;
     if (e.name == "dynamics") c.time.steps = 20;
     if (e.name == "friction") c.bodies.count = 2;
+    if (e.name == "plate_compression") c.bodies.count = 1;
     c.general.physics = e.matter->physics;
     resolve_family(c);
     kinds.push_back(c);

@@ -12,6 +12,7 @@
 #include "supple/experiment/given_packing.hpp"
 #include "supple/experiment/matter.hpp"
 #include "supple/experiment/pairs_of_case.hpp"
+#include "supple/experiment/used_keys.hpp"
 
 namespace supple {
 
@@ -150,7 +151,8 @@ void check_bodies(const Case& c, Start start, Problems& problems) {
     if (start == Start::nothing) check_dimensions(c, section, *kind, problems);
     check_kind(c, section, *kind, problems);
   }
-  if (!is_disc(c.bodies)) check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
+  if (!is_disc(c.bodies) && uses(c, "bodies.A0_ratio_large"))
+    check_ratio(c, "bodies.A0_ratio_large", c.bodies.shape_ratio_large, problems);
   check_species(c, problems);
   check_pairs(c, problems);
   if (!c.initial.state.empty() && !c.initial.packing.empty())
