@@ -114,7 +114,12 @@ void PlateState<Dim>::keep(Keeper& k) {
 template <int Dim>
 Packing<Dim> packing_between_plates(const Case& c, const InitialState* initial, const Making& making) {
   constexpr double sparse = 0.01;  // the cell where it is made has room for it, turned in any way
-  Packing<Dim> p = make_packing<Dim>(c, initial, sparse, making);
+  Case alone = c;  // without keys that say how many there are of what
+  alone.species.clear();
+  alone.bodies.discs = 0;
+  alone.bodies.large_fraction = 0;
+  alone.bodies.shape_ratio_large = 0;
+  Packing<Dim> p = make_packing<Dim>(alone, initial, sparse, making);
   System<Dim>& s = p.system;
   if (const int bodies = s.topology.body_count(s.state.size()); bodies != 1)
     throw input_error(fmt::format("{} particles between the plates", bodies),
