@@ -37,7 +37,8 @@ template <int Dim>
 BodyCounts count_bodies(const RunInfo<Dim>& info) {
   BodyCounts count;
   for (std::size_t b = 0; b + 1 < info.body_begin.size(); ++b) {
-    const int sites = info.boundary_sites.empty() ? info.body_begin[b + 1] - info.body_begin[b] : info.boundary_sites[b];
+    const int sites =
+        info.boundary_sites.empty() ? info.body_begin[b + 1] - info.body_begin[b] : info.boundary_sites[b];
     ++count.bodies;
     if (sites > 1) ++count.shapes, count.vertices += sites;
   }

@@ -152,9 +152,9 @@ TEST_F(Run, ARunFromAPreparedSuspensionIsTheRunThatPreparesIt) {
 }
 
 TEST_F(Run, ExamplesAreSound) {
-  for (const std::string name :
-       {"microgel", "preparation", "dynamics_pair", "jamming", "compression", "uniaxial_compression",
-        "plate_compression", "slump", "deformable_gel", "adhesive_gel", "mixture", "sticky_kinds", "friction"}) {
+  for (const std::string name : {"microgel", "preparation", "dynamics_pair", "jamming", "compression",
+                                 "uniaxial_compression", "plate_compression", "slump", "deformable_gel",
+                                 "adhesive_gel", "mixture", "sticky_kinds", "friction"}) {
     const Outcome check = supple("check " SUPPLE_SOURCE_DIR "/examples/" + name + ".toml");
     EXPECT_EQ(check.code, 0) << check.err;
   }

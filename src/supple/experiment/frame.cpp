@@ -189,7 +189,8 @@ template <int Dim>
 RunInfo<Dim> make_run_info(const System<Dim>& system, const Units& units) {
   const State<Dim>& s = system.state;
   RunInfo<Dim> info{
-      units, system.box, s.radius, s.mass, s.inertia, particles_of(system), system.topology.begin, {}, {}, {}};
+      units, system.box, s.radius, s.mass, s.inertia, particles_of(system), system.topology.begin,
+      {},    {},         {}};
   if constexpr (Dim == 3) info.facet = system.topology.facet;
   if (system.solid.empty()) return info;
   for (int b = 0; b < system.topology.body_count(s.size()); ++b)

@@ -167,7 +167,9 @@ void add_group(const System<2>& system, Detail detail, Group& g, Evaluation<2>& 
   for_rings(g.rings, [&](Ring& r) { add_virial(r, sum); });
 }
 
-bool is_stiff(const ShapeStiffness& k) { return k.volume != 0 || k.facet != 0 || k.hinge != 0 || k.tension != 0; }
+bool is_stiff(const ShapeStiffness& k) {
+  return k.volume != 0 || k.facet != 0 || k.hinge != 0 || k.tension != 0;
+}
 
 int ring_size(const System<2>& system, int b) {
   return system.topology.facet_begin[b + 1] - system.topology.facet_begin[b];

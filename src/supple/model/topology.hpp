@@ -8,9 +8,9 @@
 namespace supple {
 
 /// Sites [begin[b], begin[b+1]) form body b; where `begin` is empty every site is a body of its own (discs).
-/// A facet has Dim sites (an edge, a triangle), a hinge joins two facets (Dim + 1 sites). Facets of body b: [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon
-/// is the edge from its vertex k to the next one, counter-clockwise, and hinge k is the corner (previous, k,
-/// next).
+/// A facet has Dim sites (an edge, a triangle), a hinge joins two facets (Dim + 1 sites). Facets of body b:
+/// [facet_begin[b], facet_begin[b+1]); hinges likewise. In 2D facet k of a polygon is the edge from its
+/// vertex k to the next one, counter-clockwise, and hinge k is the corner (previous, k, next).
 template <int Dim>
 struct Topology {
   std::vector<std::int32_t> begin, facet_begin, hinge_begin;

@@ -13,12 +13,12 @@ struct Unit {
 };
 
 namespace unit {
-inline constexpr Unit none, angle{"rad"}, length{"m", 0, 1}, per_length{"1/m", 0, -1}, area{"m^2", 0, 2}, volume{"m^3", 0, 3},
-    time{"s", 0, 0, 1}, rate{"1/s", 0, 0, -1}, spin{"rad/s", 0, 0, -1}, speed{"m/s", 0, 1, -1},
-    acceleration{"m/s^2", 0, 1, -2}, turning{"rad/s^2", 0, 0, -2}, mass{"kg/m", 1}, inertia{"kg m", 1, 2},
-    density{"kg/m^3", 1, -2}, force{"N/m", 1, 1, -2}, torque{"N", 1, 2, -2}, energy{"J/m", 1, 2, -2},
-    power{"W/m", 1, 2, -3}, stress{"Pa", 1, 0, -2}, stiffness{"Pa", 1, 0, -2}, viscosity{"Pa s", 1, 0, -1},
-    area_stiffness{"Pa/m^2", 1, -2, -2};
+inline constexpr Unit none, angle{"rad"}, length{"m", 0, 1}, per_length{"1/m", 0, -1}, area{"m^2", 0, 2},
+    volume{"m^3", 0, 3}, time{"s", 0, 0, 1}, rate{"1/s", 0, 0, -1}, spin{"rad/s", 0, 0, -1},
+    speed{"m/s", 0, 1, -1}, acceleration{"m/s^2", 0, 1, -2}, turning{"rad/s^2", 0, 0, -2}, mass{"kg/m", 1},
+    inertia{"kg m", 1, 2}, density{"kg/m^3", 1, -2}, force{"N/m", 1, 1, -2}, torque{"N", 1, 2, -2},
+    energy{"J/m", 1, 2, -2}, power{"W/m", 1, 2, -3}, stress{"Pa", 1, 0, -2}, stiffness{"Pa", 1, 0, -2},
+    viscosity{"Pa s", 1, 0, -1}, area_stiffness{"Pa/m^2", 1, -2, -2};
 }
 
 /// Sizes of the run's units of length, mass and time, in SI; mass and force are per metre of depth in 2D.

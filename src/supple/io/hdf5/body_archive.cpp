@@ -132,8 +132,8 @@ Shape read_shape(const h5::Group& group, const Topology<Dim>& t) {
   expect_sound(bodies > 0 && t.hinge_begin.size() == bodies + 1, group,
                "it is the shape of bodies that have no boundary");
   shape.stiffness = read_stiffness<ShapeStiffness>(group, meaning_of_stiffness, bodies);
-  expect_sound(shape.rest_volume.size() == bodies &&
-                   shape.rest_facet.size() == t.facet.size() && shape.rest_hinge.size() == t.hinge.size(),
+  expect_sound(shape.rest_volume.size() == bodies && shape.rest_facet.size() == t.facet.size() &&
+                   shape.rest_hinge.size() == t.hinge.size(),
                group, "preferred shapes and bodies disagree");
   return shape;
 }

@@ -224,9 +224,9 @@ constexpr Drawing drawings[] = {{Figure::stress, "stress", nullptr, draw_run_plo
                                 {Figure::search, "pressure", "packing", plot_jamming},
                                 {Figure::branches, "pressure", "packing", plot_compression},
                                 {Figure::wall, "force", "packing", plot_uniaxial},
-                                 {Figure::plates, "force", "plates", plot_plates},
-                                 {Figure::motion, "energy", "motion", plot_motion},
-                                 {Figure::friction, "friction", "friction", plot_friction}};
+                                {Figure::plates, "force", "plates", plot_plates},
+                                {Figure::motion, "energy", "motion", plot_motion},
+                                {Figure::friction, "friction", "friction", plot_friction}};
 
 const Drawing* find_drawing(Figure figure) {
   for (const Drawing& d : drawings)

@@ -8,9 +8,9 @@
 ///     /case         the resolved case as TOML text; each key again as an attribute, "section.key"
 ///     /box /discs   the cell at the start; radius, mass, inertia, particle of each site; body_begin: sites
 ///                   [body_begin[b], body_begin[b+1]) form body b (absent for microgel discs); in 3D facet,
-///                   the sites of each triangle, seen counter-clockwise from outside; of solids boundary_sites, how many of
-///                   the sites of each body are on its boundary (the first ones), and bond, the sites of each
-///                   spring
+///                   the sites of each triangle, seen counter-clockwise from outside; of solids
+///                   boundary_sites, how many of the sites of each body are on its boundary (the first ones),
+///                   and bond, the sites of each spring
 ///     /tables/T/C   column C of table T, one value per row; attributes unit, meaning
 ///     /frames       F frames of N sites and B bodies: step, time, ... (F); position, velocity, force
 ///                   (F, N, 2); angle, spin, torque, mobility (F, N); length of the cell (F, 2); in 3D (F, N,
