@@ -114,7 +114,7 @@ void PlateState<Dim>::keep(Keeper& k) {
 template <int Dim>
 Packing<Dim> packing_between_plates(const Case& c, const InitialState* initial, const Making& making) {
   constexpr double sparse = 0.01;  // the cell where it is made has room for it, turned in any way
-  Case alone = c;  // without keys that say how many there are of what
+  Case alone = c;                  // without keys that say how many there are of what
   alone.species.clear();
   alone.bodies.discs = 0;
   alone.bodies.large_fraction = 0;
