@@ -34,7 +34,7 @@ TEST(ReachAlong, HoldsTheDiscsOfAllSitesOfOneBody) {
   add_disc_body(s, {10, 10}, 3);
   add_polygon(s, {1, 2}, 2, 4, 0, 0.5, {});  // a square on its corner, 2 across
   const double radius = s.state.radius[1];
-  const Extent across = reach_along(s, 1, 0), up = reach_along(s, 1, 1);
+  const BodyReach across = reach_along(s, 1, 0), up = reach_along(s, 1, 1);
   EXPECT_NEAR(across.low, 0 - radius, 1e-12);
   EXPECT_NEAR(across.high, 2 + radius, 1e-12);
   EXPECT_NEAR(up.low, 1 - radius, 1e-12);

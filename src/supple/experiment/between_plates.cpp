@@ -52,7 +52,7 @@ template <int Dim>
 void centre_body(System<Dim>& s, const Vec<Dim>& place) {
   Vec<Dim> move;
   for (int d = 0; d < Dim; ++d) {
-    const Extent reach = reach_along(s, 0, d);
+    const BodyReach reach = reach_along(s, 0, d);
     move[d] = place[d] - 0.5 * (reach.low + reach.high);
   }
   move_body(s, 0, move);

@@ -21,9 +21,9 @@ PlateForces sum_plate_forces(std::span<const SiteForce<Dim>> wall) {
 }
 
 template <int Dim>
-Extent reach_along(const System<Dim>& system, int body, int direction) {
+BodyReach reach_along(const System<Dim>& system, int body, int direction) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  Extent reach{far, -far};
+  BodyReach reach{far, -far};
   for (int i = system.topology.body_begin(body); i < system.topology.body_end(body); ++i) {
     const double x = system.state.position[i][direction], radius = system.state.radius[i];
     reach.low = std::min(reach.low, x - radius);
@@ -72,7 +72,7 @@ double turned_by(std::span<const Vec<Dim>> before, std::span<const Vec<Dim>> aft
 
 #define SUPPLE_TOUCHING(Dim)                                              \
   template PlateForces sum_plate_forces(std::span<const SiteForce<Dim>>); \
-  template Extent reach_along(const System<Dim>&, int, int);              \
+  template BodyReach reach_along(const System<Dim>&, int, int);           \
   template double turned_by(std::span<const Vec<Dim>>, std::span<const Vec<Dim>>);
 SUPPLE_TOUCHING(2)
 SUPPLE_TOUCHING(3)

@@ -23,12 +23,12 @@ template <int Dim>
 PlateForces sum_plate_forces(std::span<const SiteForce<Dim>> wall);
 
 /// From where to where a body reaches along a direction, with the discs (spheres) of its sites [length].
-struct Extent {
+struct BodyReach {
   double low, high;
   double length() const { return high - low; }
 };
 template <int Dim>
-Extent reach_along(const System<Dim>& system, int body, int direction);
+BodyReach reach_along(const System<Dim>& system, int body, int direction);
 
 /// How far a cloud of points has turned as a whole [radian], from 0 to pi: the angle of the rotation about
 /// the mean that brings `before` nearest to `after`, in least squares [Horn, J. Opt. Soc. Am. A 4, 629
