@@ -60,12 +60,15 @@ std::string exponent_from_five_nodes(const Loading& loading) {
 void print_row(const RunFile& run, const Loading& loading) {
   const auto result = [&](const char* name) { return run.value("results", name); };
   double error = -1;
-  for (const auto& value : run.values("results"))
+  std::string hysteresis = "no way back";
+  for (const auto& value : run.values("results")) {
     if (value.name.name == "exponent") error = value.error;
-  fmt::print("| {} | {:.1e} to {:.1e} | {:g} | {} | {} | {:.3g} {} | {:.1e} | {:.2f} | {:.0f} |\n",
-             loading.name, result("fit_from"), result("fit_to"), result("fit_nodes"),
+    if (value.name.name == "hysteresis") hysteresis = fmt::format("{:.1e}", value.value);
+  }
+  fmt::print("| {} | {:.1e} to {:.1e} | {:g} | {} | {} | {:.3g} {} | {} | {:.2f} | {:.0f} |\n", loading.name,
+             result("fit_from"), result("fit_to"), result("fit_nodes"),
              value_with_error(result("exponent"), error), exponent_from_five_nodes(loading),
-             result("largest_force"), loading.unit, result("hysteresis"), result("largest_rotation"),
+             result("largest_force"), loading.unit, hysteresis, result("largest_rotation"),
              result("evaluations") / result("minimisations"));
 }
 
