@@ -62,7 +62,7 @@ Fields<P> fields_of_kind() {
       {"k_s",
        &P::k_s,
        "",
-       "stiffness of the springs of a network, k of (k/2)(r - r0)^2; 2D: E = 2 k/sqrt(3)",
+       "stiffness of the springs of a network, k of (k/2)(r - r0)^2; 2D: E is near 2 k/sqrt(3)",
        not_negative,
        {},
        Role::number},
